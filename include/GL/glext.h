@@ -1,6 +1,20 @@
-/* FixedGL: OpenGL 1.2 to 1.5 and extensions. Copyright (c) 2026 The FixedGL authors. MIT License. */
-#ifndef __gl_glext_h_
-#define __gl_glext_h_
+/*
+ * GL/glext.h - OpenGL 1.4, OpenGL 1.5 and the extensions that FixedGL offers.
+ *
+ * Copyright (c) 2026 The FixedGL authors. MIT License, see LICENSE.
+ *
+ * Included by GL/gl.h unless GL_GLEXT_LEGACY is defined; the rules at its top hold here too. The functions
+ * are declared if GL_GLEXT_PROTOTYPES is defined before; the types of pointers to them, PFN...PROC, for use
+ * with OSMesaGetProcAddress, always are. Which extensions a context offers is said by
+ * glGetString(GL_EXTENSIONS).
+ *
+ * This is not the whole registry, so GL_GLEXT_VERSION is left undefined: a program may include a larger
+ * glext.h of its own after this one.
+ */
+#if !defined(FIXEDGL_GLEXT_H) && !defined(__gl_glext_h_) && !defined(__glext_h_)
+#define FIXEDGL_GLEXT_H
+
+/* clang-format off: tokens stand in columns */
 
 #include <GL/gl.h>
 
@@ -8,19 +22,45 @@
 extern "C" {
 #endif
 
-typedef void (APIENTRYP PFNGLDRAWRANGEELEMENTSPROC)(GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const void *indices);
-typedef void (APIENTRYP PFNGLTEXIMAGE3DPROC)(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const void *pixels);
-typedef void (APIENTRYP PFNGLTEXSUBIMAGE3DPROC)(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type, const void *pixels);
-typedef void (APIENTRYP PFNGLCOPYTEXSUBIMAGE3DPROC)(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLint x, GLint y, GLsizei width, GLsizei height);
+
+/* ---- OpenGL 1.2: documented in GL/gl.h ----------------------------------------------------------------- */
+
+#ifndef GL_VERSION_1_2
+#define GL_VERSION_1_2 1
+#endif
+
+typedef void (APIENTRYP PFNGLDRAWRANGEELEMENTSPROC)(GLenum mode, GLuint start, GLuint end, GLsizei count,
+        GLenum type, const void *indices);
+typedef void (APIENTRYP PFNGLTEXIMAGE3DPROC)(GLenum target, GLint level, GLint internalformat, GLsizei width,
+        GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const void *pixels);
+typedef void (APIENTRYP PFNGLTEXSUBIMAGE3DPROC)(GLenum target, GLint level, GLint xoffset, GLint yoffset,
+        GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type,
+        const void *pixels);
+typedef void (APIENTRYP PFNGLCOPYTEXSUBIMAGE3DPROC)(GLenum target, GLint level, GLint xoffset, GLint yoffset,
+        GLint zoffset, GLint x, GLint y, GLsizei width, GLsizei height);
+
+
+/* ---- OpenGL 1.3: documented in GL/gl.h ----------------------------------------------------------------- */
+
+#ifndef GL_VERSION_1_3
+#define GL_VERSION_1_3 1
+#endif
 
 typedef void (APIENTRYP PFNGLACTIVETEXTUREPROC)(GLenum texture);
 typedef void (APIENTRYP PFNGLSAMPLECOVERAGEPROC)(GLfloat value, GLboolean invert);
-typedef void (APIENTRYP PFNGLCOMPRESSEDTEXIMAGE3DPROC)(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLsizei imageSize, const void *data);
-typedef void (APIENTRYP PFNGLCOMPRESSEDTEXIMAGE2DPROC)(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void *data);
-typedef void (APIENTRYP PFNGLCOMPRESSEDTEXIMAGE1DPROC)(GLenum target, GLint level, GLenum internalformat, GLsizei width, GLint border, GLsizei imageSize, const void *data);
-typedef void (APIENTRYP PFNGLCOMPRESSEDTEXSUBIMAGE3DPROC)(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLsizei imageSize, const void *data);
-typedef void (APIENTRYP PFNGLCOMPRESSEDTEXSUBIMAGE2DPROC)(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLsizei imageSize, const void *data);
-typedef void (APIENTRYP PFNGLCOMPRESSEDTEXSUBIMAGE1DPROC)(GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLsizei imageSize, const void *data);
+typedef void (APIENTRYP PFNGLCOMPRESSEDTEXIMAGE3DPROC)(GLenum target, GLint level, GLenum internalformat,
+        GLsizei width, GLsizei height, GLsizei depth, GLint border, GLsizei imageSize, const void *data);
+typedef void (APIENTRYP PFNGLCOMPRESSEDTEXIMAGE2DPROC)(GLenum target, GLint level, GLenum internalformat,
+        GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void *data);
+typedef void (APIENTRYP PFNGLCOMPRESSEDTEXIMAGE1DPROC)(GLenum target, GLint level, GLenum internalformat,
+        GLsizei width, GLint border, GLsizei imageSize, const void *data);
+typedef void (APIENTRYP PFNGLCOMPRESSEDTEXSUBIMAGE3DPROC)(GLenum target, GLint level, GLint xoffset,
+        GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format,
+        GLsizei imageSize, const void *data);
+typedef void (APIENTRYP PFNGLCOMPRESSEDTEXSUBIMAGE2DPROC)(GLenum target, GLint level, GLint xoffset,
+        GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLsizei imageSize, const void *data);
+typedef void (APIENTRYP PFNGLCOMPRESSEDTEXSUBIMAGE1DPROC)(GLenum target, GLint level, GLint xoffset,
+        GLsizei width, GLenum format, GLsizei imageSize, const void *data);
 typedef void (APIENTRYP PFNGLGETCOMPRESSEDTEXIMAGEPROC)(GLenum target, GLint level, void *img);
 typedef void (APIENTRYP PFNGLCLIENTACTIVETEXTUREPROC)(GLenum texture);
 typedef void (APIENTRYP PFNGLMULTITEXCOORD1DPROC)(GLenum target, GLdouble s);
@@ -47,7 +87,8 @@ typedef void (APIENTRYP PFNGLMULTITEXCOORD3IPROC)(GLenum target, GLint s, GLint 
 typedef void (APIENTRYP PFNGLMULTITEXCOORD3IVPROC)(GLenum target, const GLint *v);
 typedef void (APIENTRYP PFNGLMULTITEXCOORD3SPROC)(GLenum target, GLshort s, GLshort t, GLshort r);
 typedef void (APIENTRYP PFNGLMULTITEXCOORD3SVPROC)(GLenum target, const GLshort *v);
-typedef void (APIENTRYP PFNGLMULTITEXCOORD4DPROC)(GLenum target, GLdouble s, GLdouble t, GLdouble r, GLdouble q);
+typedef void (APIENTRYP PFNGLMULTITEXCOORD4DPROC)(GLenum target, GLdouble s, GLdouble t, GLdouble r,
+        GLdouble q);
 typedef void (APIENTRYP PFNGLMULTITEXCOORD4DVPROC)(GLenum target, const GLdouble *v);
 typedef void (APIENTRYP PFNGLMULTITEXCOORD4FPROC)(GLenum target, GLfloat s, GLfloat t, GLfloat r, GLfloat q);
 typedef void (APIENTRYP PFNGLMULTITEXCOORD4FVPROC)(GLenum target, const GLfloat *v);
@@ -60,9 +101,90 @@ typedef void (APIENTRYP PFNGLLOADTRANSPOSEMATRIXDPROC)(const GLdouble *m);
 typedef void (APIENTRYP PFNGLMULTTRANSPOSEMATRIXFPROC)(const GLfloat *m);
 typedef void (APIENTRYP PFNGLMULTTRANSPOSEMATRIXDPROC)(const GLdouble *m);
 
-typedef void (APIENTRYP PFNGLBLENDFUNCSEPARATEPROC)(GLenum sfactorRGB, GLenum dfactorRGB, GLenum sfactorAlpha, GLenum dfactorAlpha);
-typedef void (APIENTRYP PFNGLMULTIDRAWARRAYSPROC)(GLenum mode, const GLint *first, const GLsizei *count, GLsizei drawcount);
-typedef void (APIENTRYP PFNGLMULTIDRAWELEMENTSPROC)(GLenum mode, const GLsizei *count, GLenum type, const void *const *indices, GLsizei drawcount);
+
+/* ---- OpenGL 1.4 ---------------------------------------------------------------------------------------- */
+
+#ifndef GL_VERSION_1_4
+#define GL_VERSION_1_4 1
+
+#ifdef GL_GLEXT_PROTOTYPES
+/* Set the current fog coordinate, used for fog while GL_FOG_COORD_SRC is GL_FOG_COORD. Initially 0. (2.7) */
+GLAPI void GLAPIENTRY glFogCoordf(GLfloat coord);
+GLAPI void GLAPIENTRY glFogCoordfv(const GLfloat *coord);
+GLAPI void GLAPIENTRY glFogCoordd(GLdouble coord);
+GLAPI void GLAPIENTRY glFogCoorddv(const GLdouble *coord);
+
+/* Set the current secondary color, added after texturing while GL_COLOR_SUM is enabled. Alpha is always 1.
+ * Initially (0, 0, 0, 1). (2.7) */
+GLAPI void GLAPIENTRY glSecondaryColor3b(GLbyte red, GLbyte green, GLbyte blue);
+GLAPI void GLAPIENTRY glSecondaryColor3bv(const GLbyte *v);
+GLAPI void GLAPIENTRY glSecondaryColor3d(GLdouble red, GLdouble green, GLdouble blue);
+GLAPI void GLAPIENTRY glSecondaryColor3dv(const GLdouble *v);
+GLAPI void GLAPIENTRY glSecondaryColor3f(GLfloat red, GLfloat green, GLfloat blue);
+GLAPI void GLAPIENTRY glSecondaryColor3fv(const GLfloat *v);
+GLAPI void GLAPIENTRY glSecondaryColor3i(GLint red, GLint green, GLint blue);
+GLAPI void GLAPIENTRY glSecondaryColor3iv(const GLint *v);
+GLAPI void GLAPIENTRY glSecondaryColor3s(GLshort red, GLshort green, GLshort blue);
+GLAPI void GLAPIENTRY glSecondaryColor3sv(const GLshort *v);
+GLAPI void GLAPIENTRY glSecondaryColor3ub(GLubyte red, GLubyte green, GLubyte blue);
+GLAPI void GLAPIENTRY glSecondaryColor3ubv(const GLubyte *v);
+GLAPI void GLAPIENTRY glSecondaryColor3ui(GLuint red, GLuint green, GLuint blue);
+GLAPI void GLAPIENTRY glSecondaryColor3uiv(const GLuint *v);
+GLAPI void GLAPIENTRY glSecondaryColor3us(GLushort red, GLushort green, GLushort blue);
+GLAPI void GLAPIENTRY glSecondaryColor3usv(const GLushort *v);
+
+/* Arrays of fog coordinates, GL_FLOAT or GL_DOUBLE, and of secondary colors, size 3, any type that
+ * glColorPointer takes. GL_INVALID_VALUE: another size, negative stride. (2.8) */
+GLAPI void GLAPIENTRY glFogCoordPointer(GLenum type, GLsizei stride, const void *pointer);
+GLAPI void GLAPIENTRY glSecondaryColorPointer(GLint size, GLenum type, GLsizei stride, const void *pointer);
+
+/* As drawcount calls of glDrawArrays or glDrawElements with the i-th values of the arrays; those with count 0
+ * draw nothing. GL_INVALID_VALUE: negative drawcount. (2.8) */
+GLAPI void GLAPIENTRY glMultiDrawArrays(GLenum mode, const GLint *first, const GLsizei *count,
+                                        GLsizei drawcount);
+GLAPI void GLAPIENTRY glMultiDrawElements(GLenum mode, const GLsizei *count, GLenum type,
+                                          const void *const *indices, GLsizei drawcount);
+
+/* Set the raster position in window coordinates and make it valid. z is clamped to [0,1] and mapped to the
+ * depth range, missing z is 0; color and texture coordinates are the current ones, without lighting.
+ * (2.13) */
+GLAPI void GLAPIENTRY glWindowPos2d(GLdouble x, GLdouble y);
+GLAPI void GLAPIENTRY glWindowPos2dv(const GLdouble *v);
+GLAPI void GLAPIENTRY glWindowPos2f(GLfloat x, GLfloat y);
+GLAPI void GLAPIENTRY glWindowPos2fv(const GLfloat *v);
+GLAPI void GLAPIENTRY glWindowPos2i(GLint x, GLint y);
+GLAPI void GLAPIENTRY glWindowPos2iv(const GLint *v);
+GLAPI void GLAPIENTRY glWindowPos2s(GLshort x, GLshort y);
+GLAPI void GLAPIENTRY glWindowPos2sv(const GLshort *v);
+GLAPI void GLAPIENTRY glWindowPos3d(GLdouble x, GLdouble y, GLdouble z);
+GLAPI void GLAPIENTRY glWindowPos3dv(const GLdouble *v);
+GLAPI void GLAPIENTRY glWindowPos3f(GLfloat x, GLfloat y, GLfloat z);
+GLAPI void GLAPIENTRY glWindowPos3fv(const GLfloat *v);
+GLAPI void GLAPIENTRY glWindowPos3i(GLint x, GLint y, GLint z);
+GLAPI void GLAPIENTRY glWindowPos3iv(const GLint *v);
+GLAPI void GLAPIENTRY glWindowPos3s(GLshort x, GLshort y, GLshort z);
+GLAPI void GLAPIENTRY glWindowPos3sv(const GLshort *v);
+
+/* Set a parameter of points: GL_POINT_SIZE_MIN and GL_POINT_SIZE_MAX, the limits of the size in pixels;
+ * GL_POINT_FADE_THRESHOLD_SIZE, for multisampling. v forms also GL_POINT_DISTANCE_ATTENUATION (a, b, c): the
+ * size is divided by sqrt(a + b d + c d^2), d being the distance to the eye; initially (1, 0, 0).
+ * GL_INVALID_VALUE: a negative size. (3.3) */
+GLAPI void GLAPIENTRY glPointParameterf(GLenum pname, GLfloat param);
+GLAPI void GLAPIENTRY glPointParameterfv(GLenum pname, const GLfloat *params);
+GLAPI void GLAPIENTRY glPointParameteri(GLenum pname, GLint param);
+GLAPI void GLAPIENTRY glPointParameteriv(GLenum pname, const GLint *params);
+
+/* As glBlendFunc, with factors of their own for alpha. (4.1.8) */
+GLAPI void GLAPIENTRY glBlendFuncSeparate(GLenum sfactorRGB, GLenum dfactorRGB, GLenum sfactorAlpha,
+                                          GLenum dfactorAlpha);
+#endif
+
+typedef void (APIENTRYP PFNGLBLENDFUNCSEPARATEPROC)(GLenum sfactorRGB, GLenum dfactorRGB, GLenum sfactorAlpha,
+        GLenum dfactorAlpha);
+typedef void (APIENTRYP PFNGLMULTIDRAWARRAYSPROC)(GLenum mode, const GLint *first, const GLsizei *count,
+        GLsizei drawcount);
+typedef void (APIENTRYP PFNGLMULTIDRAWELEMENTSPROC)(GLenum mode, const GLsizei *count, GLenum type,
+        const void *const *indices, GLsizei drawcount);
 typedef void (APIENTRYP PFNGLPOINTPARAMETERFPROC)(GLenum pname, GLfloat param);
 typedef void (APIENTRYP PFNGLPOINTPARAMETERFVPROC)(GLenum pname, const GLfloat *params);
 typedef void (APIENTRYP PFNGLPOINTPARAMETERIPROC)(GLenum pname, GLint param);
@@ -88,7 +210,8 @@ typedef void (APIENTRYP PFNGLSECONDARYCOLOR3UIPROC)(GLuint red, GLuint green, GL
 typedef void (APIENTRYP PFNGLSECONDARYCOLOR3UIVPROC)(const GLuint *v);
 typedef void (APIENTRYP PFNGLSECONDARYCOLOR3USPROC)(GLushort red, GLushort green, GLushort blue);
 typedef void (APIENTRYP PFNGLSECONDARYCOLOR3USVPROC)(const GLushort *v);
-typedef void (APIENTRYP PFNGLSECONDARYCOLORPOINTERPROC)(GLint size, GLenum type, GLsizei stride, const void *pointer);
+typedef void (APIENTRYP PFNGLSECONDARYCOLORPOINTERPROC)(GLint size, GLenum type, GLsizei stride,
+        const void *pointer);
 typedef void (APIENTRYP PFNGLWINDOWPOS2DPROC)(GLdouble x, GLdouble y);
 typedef void (APIENTRYP PFNGLWINDOWPOS2DVPROC)(const GLdouble *v);
 typedef void (APIENTRYP PFNGLWINDOWPOS2FPROC)(GLfloat x, GLfloat y);
@@ -107,54 +230,67 @@ typedef void (APIENTRYP PFNGLWINDOWPOS3SPROC)(GLshort x, GLshort y, GLshort z);
 typedef void (APIENTRYP PFNGLWINDOWPOS3SVPROC)(const GLshort *v);
 typedef void (APIENTRYP PFNGLBLENDCOLORPROC)(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha);
 typedef void (APIENTRYP PFNGLBLENDEQUATIONPROC)(GLenum mode);
+#endif
+
+
+/* ---- OpenGL 1.5 ---------------------------------------------------------------------------------------- */
+
+#ifndef GL_VERSION_1_5
+#define GL_VERSION_1_5 1
+
 #ifdef GL_GLEXT_PROTOTYPES
-GLAPI void GLAPIENTRY glBlendFuncSeparate(GLenum sfactorRGB, GLenum dfactorRGB, GLenum sfactorAlpha, GLenum dfactorAlpha);
-GLAPI void GLAPIENTRY glMultiDrawArrays(GLenum mode, const GLint *first, const GLsizei *count, GLsizei drawcount);
-GLAPI void GLAPIENTRY glMultiDrawElements(GLenum mode, const GLsizei *count, GLenum type, const void *const *indices, GLsizei drawcount);
-GLAPI void GLAPIENTRY glPointParameterf(GLenum pname, GLfloat param);
-GLAPI void GLAPIENTRY glPointParameterfv(GLenum pname, const GLfloat *params);
-GLAPI void GLAPIENTRY glPointParameteri(GLenum pname, GLint param);
-GLAPI void GLAPIENTRY glPointParameteriv(GLenum pname, const GLint *params);
-GLAPI void GLAPIENTRY glFogCoordf(GLfloat coord);
-GLAPI void GLAPIENTRY glFogCoordfv(const GLfloat *coord);
-GLAPI void GLAPIENTRY glFogCoordd(GLdouble coord);
-GLAPI void GLAPIENTRY glFogCoorddv(const GLdouble *coord);
-GLAPI void GLAPIENTRY glFogCoordPointer(GLenum type, GLsizei stride, const void *pointer);
-GLAPI void GLAPIENTRY glSecondaryColor3b(GLbyte red, GLbyte green, GLbyte blue);
-GLAPI void GLAPIENTRY glSecondaryColor3bv(const GLbyte *v);
-GLAPI void GLAPIENTRY glSecondaryColor3d(GLdouble red, GLdouble green, GLdouble blue);
-GLAPI void GLAPIENTRY glSecondaryColor3dv(const GLdouble *v);
-GLAPI void GLAPIENTRY glSecondaryColor3f(GLfloat red, GLfloat green, GLfloat blue);
-GLAPI void GLAPIENTRY glSecondaryColor3fv(const GLfloat *v);
-GLAPI void GLAPIENTRY glSecondaryColor3i(GLint red, GLint green, GLint blue);
-GLAPI void GLAPIENTRY glSecondaryColor3iv(const GLint *v);
-GLAPI void GLAPIENTRY glSecondaryColor3s(GLshort red, GLshort green, GLshort blue);
-GLAPI void GLAPIENTRY glSecondaryColor3sv(const GLshort *v);
-GLAPI void GLAPIENTRY glSecondaryColor3ub(GLubyte red, GLubyte green, GLubyte blue);
-GLAPI void GLAPIENTRY glSecondaryColor3ubv(const GLubyte *v);
-GLAPI void GLAPIENTRY glSecondaryColor3ui(GLuint red, GLuint green, GLuint blue);
-GLAPI void GLAPIENTRY glSecondaryColor3uiv(const GLuint *v);
-GLAPI void GLAPIENTRY glSecondaryColor3us(GLushort red, GLushort green, GLushort blue);
-GLAPI void GLAPIENTRY glSecondaryColor3usv(const GLushort *v);
-GLAPI void GLAPIENTRY glSecondaryColorPointer(GLint size, GLenum type, GLsizei stride, const void *pointer);
-GLAPI void GLAPIENTRY glWindowPos2d(GLdouble x, GLdouble y);
-GLAPI void GLAPIENTRY glWindowPos2dv(const GLdouble *v);
-GLAPI void GLAPIENTRY glWindowPos2f(GLfloat x, GLfloat y);
-GLAPI void GLAPIENTRY glWindowPos2fv(const GLfloat *v);
-GLAPI void GLAPIENTRY glWindowPos2i(GLint x, GLint y);
-GLAPI void GLAPIENTRY glWindowPos2iv(const GLint *v);
-GLAPI void GLAPIENTRY glWindowPos2s(GLshort x, GLshort y);
-GLAPI void GLAPIENTRY glWindowPos2sv(const GLshort *v);
-GLAPI void GLAPIENTRY glWindowPos3d(GLdouble x, GLdouble y, GLdouble z);
-GLAPI void GLAPIENTRY glWindowPos3dv(const GLdouble *v);
-GLAPI void GLAPIENTRY glWindowPos3f(GLfloat x, GLfloat y, GLfloat z);
-GLAPI void GLAPIENTRY glWindowPos3fv(const GLfloat *v);
-GLAPI void GLAPIENTRY glWindowPos3i(GLint x, GLint y, GLint z);
-GLAPI void GLAPIENTRY glWindowPos3iv(const GLint *v);
-GLAPI void GLAPIENTRY glWindowPos3s(GLshort x, GLshort y, GLshort z);
-GLAPI void GLAPIENTRY glWindowPos3sv(const GLshort *v);
-GLAPI void GLAPIENTRY glBlendColor(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha);
-GLAPI void GLAPIENTRY glBlendEquation(GLenum mode);
+/* Binds buffer to target, GL_ARRAY_BUFFER or GL_ELEMENT_ARRAY_BUFFER; a new name becomes an empty buffer, 0
+ * means client memory. (2.9 Buffer objects, here and down to glUnmapBuffer) */
+GLAPI void GLAPIENTRY glBindBuffer(GLenum target, GLuint buffer);
+
+/* Write n unused names; delete n buffers, where one is bound 0 takes its place, 0 and unused names are
+ * skipped; return whether a name is that of a buffer. */
+GLAPI void GLAPIENTRY glGenBuffers(GLsizei n, GLuint *buffers);
+GLAPI void GLAPIENTRY glDeleteBuffers(GLsizei n, const GLuint *buffers);
+GLAPI GLboolean GLAPIENTRY glIsBuffer(GLuint buffer);
+
+/* Gives the bound buffer size bytes, from data or, if data is NULL, undefined; usage is one of the nine
+ * GL_..._DRAW, _READ and _COPY, a hint. GL_INVALID_VALUE: negative size. GL_INVALID_OPERATION: buffer 0 is
+ * bound. */
+GLAPI void GLAPIENTRY glBufferData(GLenum target, GLsizeiptr size, const void *data, GLenum usage);
+
+/* Replace, or read, size bytes of the bound buffer from offset on. GL_INVALID_VALUE: beyond its end, or
+ * negative. GL_INVALID_OPERATION: buffer 0 is bound, or the buffer is mapped. */
+GLAPI void GLAPIENTRY glBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, const void *data);
+GLAPI void GLAPIENTRY glGetBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, void *data);
+
+/* Returns the address of the bound buffer's bytes for access GL_READ_ONLY, GL_WRITE_ONLY or GL_READ_WRITE;
+ * drawing with it is an error until glUnmapBuffer. GL_INVALID_OPERATION: buffer 0 is bound, or the buffer is
+ * mapped. */
+GLAPI void *GLAPIENTRY glMapBuffer(GLenum target, GLenum access);
+
+/* Ends that; returns GL_FALSE if the contents were lost. GL_INVALID_OPERATION: the buffer is not mapped. */
+GLAPI GLboolean GLAPIENTRY glUnmapBuffer(GLenum target);
+
+/* Write a property of the bound buffer: GL_BUFFER_SIZE, GL_BUFFER_USAGE, GL_BUFFER_ACCESS or
+ * GL_BUFFER_MAPPED; the address for GL_BUFFER_MAP_POINTER, NULL if it is not mapped. GL_INVALID_OPERATION:
+ * buffer 0 is bound. (6.1.13) */
+GLAPI void GLAPIENTRY glGetBufferParameteriv(GLenum target, GLenum pname, GLint *params);
+GLAPI void GLAPIENTRY glGetBufferPointerv(GLenum target, GLenum pname, void **params);
+
+/* Write n unused names; delete n queries; return whether a name is that of a query. (4.1.7 Occlusion
+ * queries) */
+GLAPI void GLAPIENTRY glGenQueries(GLsizei n, GLuint *ids);
+GLAPI void GLAPIENTRY glDeleteQueries(GLsizei n, const GLuint *ids);
+GLAPI GLboolean GLAPIENTRY glIsQuery(GLuint id);
+
+/* Counts into query id, between these two, the samples that pass the depth test; target is GL_SAMPLES_PASSED.
+ * GL_INVALID_OPERATION: id is 0 or in use, a query is running; none is running. (4.1.7) */
+GLAPI void GLAPIENTRY glBeginQuery(GLenum target, GLuint id);
+GLAPI void GLAPIENTRY glEndQuery(GLenum target);
+
+/* Write GL_CURRENT_QUERY, 0 if none is running, or GL_QUERY_COUNTER_BITS. (6.1.12) */
+GLAPI void GLAPIENTRY glGetQueryiv(GLenum target, GLenum pname, GLint *params);
+
+/* Write GL_QUERY_RESULT or GL_QUERY_RESULT_AVAILABLE of query id. GL_INVALID_OPERATION: id is no query, or is
+ * running. (6.1.12) */
+GLAPI void GLAPIENTRY glGetQueryObjectiv(GLuint id, GLenum pname, GLint *params);
+GLAPI void GLAPIENTRY glGetQueryObjectuiv(GLuint id, GLenum pname, GLuint *params);
 #endif
 
 typedef void (APIENTRYP PFNGLGENQUERIESPROC)(GLsizei n, GLuint *ids);
@@ -170,78 +306,73 @@ typedef void (APIENTRYP PFNGLDELETEBUFFERSPROC)(GLsizei n, const GLuint *buffers
 typedef void (APIENTRYP PFNGLGENBUFFERSPROC)(GLsizei n, GLuint *buffers);
 typedef GLboolean (APIENTRYP PFNGLISBUFFERPROC)(GLuint buffer);
 typedef void (APIENTRYP PFNGLBUFFERDATAPROC)(GLenum target, GLsizeiptr size, const void *data, GLenum usage);
-typedef void (APIENTRYP PFNGLBUFFERSUBDATAPROC)(GLenum target, GLintptr offset, GLsizeiptr size, const void *data);
-typedef void (APIENTRYP PFNGLGETBUFFERSUBDATAPROC)(GLenum target, GLintptr offset, GLsizeiptr size, void *data);
-typedef void * (APIENTRYP PFNGLMAPBUFFERPROC)(GLenum target, GLenum access);
+typedef void (APIENTRYP PFNGLBUFFERSUBDATAPROC)(GLenum target, GLintptr offset, GLsizeiptr size,
+        const void *data);
+typedef void (APIENTRYP PFNGLGETBUFFERSUBDATAPROC)(GLenum target, GLintptr offset, GLsizeiptr size,
+        void *data);
+typedef void *(APIENTRYP PFNGLMAPBUFFERPROC)(GLenum target, GLenum access);
 typedef GLboolean (APIENTRYP PFNGLUNMAPBUFFERPROC)(GLenum target);
 typedef void (APIENTRYP PFNGLGETBUFFERPARAMETERIVPROC)(GLenum target, GLenum pname, GLint *params);
 typedef void (APIENTRYP PFNGLGETBUFFERPOINTERVPROC)(GLenum target, GLenum pname, void **params);
-#ifdef GL_GLEXT_PROTOTYPES
-GLAPI void GLAPIENTRY glGenQueries(GLsizei n, GLuint *ids);
-GLAPI void GLAPIENTRY glDeleteQueries(GLsizei n, const GLuint *ids);
-GLAPI GLboolean GLAPIENTRY glIsQuery(GLuint id);
-GLAPI void GLAPIENTRY glBeginQuery(GLenum target, GLuint id);
-GLAPI void GLAPIENTRY glEndQuery(GLenum target);
-GLAPI void GLAPIENTRY glGetQueryiv(GLenum target, GLenum pname, GLint *params);
-GLAPI void GLAPIENTRY glGetQueryObjectiv(GLuint id, GLenum pname, GLint *params);
-GLAPI void GLAPIENTRY glGetQueryObjectuiv(GLuint id, GLenum pname, GLuint *params);
-GLAPI void GLAPIENTRY glBindBuffer(GLenum target, GLuint buffer);
-GLAPI void GLAPIENTRY glDeleteBuffers(GLsizei n, const GLuint *buffers);
-GLAPI void GLAPIENTRY glGenBuffers(GLsizei n, GLuint *buffers);
-GLAPI GLboolean GLAPIENTRY glIsBuffer(GLuint buffer);
-GLAPI void GLAPIENTRY glBufferData(GLenum target, GLsizeiptr size, const void *data, GLenum usage);
-GLAPI void GLAPIENTRY glBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, const void *data);
-GLAPI void GLAPIENTRY glGetBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, void *data);
-GLAPI void * GLAPIENTRY glMapBuffer(GLenum target, GLenum access);
-GLAPI GLboolean GLAPIENTRY glUnmapBuffer(GLenum target);
-GLAPI void GLAPIENTRY glGetBufferParameteriv(GLenum target, GLenum pname, GLint *params);
-GLAPI void GLAPIENTRY glGetBufferPointerv(GLenum target, GLenum pname, void **params);
 #endif
 
-#define GL_EXT_rescale_normal 1
-#define GL_RESCALE_NORMAL_EXT                   0x803A
 
-#define GL_EXT_separate_specular_color 1
-#define GL_LIGHT_MODEL_COLOR_CONTROL_EXT        0x81F8
-#define GL_SINGLE_COLOR_EXT                     0x81F9
-#define GL_SEPARATE_SPECULAR_COLOR_EXT          0x81FA
+/* ---- Extensions that later versions took up: the same commands and tokens under older names ------------ */
 
+#ifndef GL_ARB_imaging
+#define GL_ARB_imaging 1
+#endif
+
+typedef void (APIENTRYP PFNGLCOLORTABLEPROC)(GLenum target, GLenum internalformat, GLsizei width,
+        GLenum format, GLenum type, const void *table);
+typedef void (APIENTRYP PFNGLCOLORTABLEPARAMETERFVPROC)(GLenum target, GLenum pname, const GLfloat *params);
+typedef void (APIENTRYP PFNGLCOLORTABLEPARAMETERIVPROC)(GLenum target, GLenum pname, const GLint *params);
+typedef void (APIENTRYP PFNGLCOPYCOLORTABLEPROC)(GLenum target, GLenum internalformat, GLint x, GLint y,
+        GLsizei width);
+typedef void (APIENTRYP PFNGLGETCOLORTABLEPROC)(GLenum target, GLenum format, GLenum type, void *table);
+typedef void (APIENTRYP PFNGLGETCOLORTABLEPARAMETERFVPROC)(GLenum target, GLenum pname, GLfloat *params);
+typedef void (APIENTRYP PFNGLGETCOLORTABLEPARAMETERIVPROC)(GLenum target, GLenum pname, GLint *params);
+typedef void (APIENTRYP PFNGLCOLORSUBTABLEPROC)(GLenum target, GLsizei start, GLsizei count, GLenum format,
+        GLenum type, const void *data);
+typedef void (APIENTRYP PFNGLCOPYCOLORSUBTABLEPROC)(GLenum target, GLsizei start, GLint x, GLint y,
+        GLsizei width);
+typedef void (APIENTRYP PFNGLCONVOLUTIONFILTER1DPROC)(GLenum target, GLenum internalformat, GLsizei width,
+        GLenum format, GLenum type, const void *image);
+typedef void (APIENTRYP PFNGLCONVOLUTIONFILTER2DPROC)(GLenum target, GLenum internalformat, GLsizei width,
+        GLsizei height, GLenum format, GLenum type, const void *image);
+typedef void (APIENTRYP PFNGLCONVOLUTIONPARAMETERFPROC)(GLenum target, GLenum pname, GLfloat params);
+typedef void (APIENTRYP PFNGLCONVOLUTIONPARAMETERFVPROC)(GLenum target, GLenum pname, const GLfloat *params);
+typedef void (APIENTRYP PFNGLCONVOLUTIONPARAMETERIPROC)(GLenum target, GLenum pname, GLint params);
+typedef void (APIENTRYP PFNGLCONVOLUTIONPARAMETERIVPROC)(GLenum target, GLenum pname, const GLint *params);
+typedef void (APIENTRYP PFNGLCOPYCONVOLUTIONFILTER1DPROC)(GLenum target, GLenum internalformat, GLint x,
+        GLint y, GLsizei width);
+typedef void (APIENTRYP PFNGLCOPYCONVOLUTIONFILTER2DPROC)(GLenum target, GLenum internalformat, GLint x,
+        GLint y, GLsizei width, GLsizei height);
+typedef void (APIENTRYP PFNGLGETCONVOLUTIONFILTERPROC)(GLenum target, GLenum format, GLenum type,
+        void *image);
+typedef void (APIENTRYP PFNGLGETCONVOLUTIONPARAMETERFVPROC)(GLenum target, GLenum pname, GLfloat *params);
+typedef void (APIENTRYP PFNGLGETCONVOLUTIONPARAMETERIVPROC)(GLenum target, GLenum pname, GLint *params);
+typedef void (APIENTRYP PFNGLGETSEPARABLEFILTERPROC)(GLenum target, GLenum format, GLenum type, void *row,
+        void *column, void *span);
+typedef void (APIENTRYP PFNGLSEPARABLEFILTER2DPROC)(GLenum target, GLenum internalformat, GLsizei width,
+        GLsizei height, GLenum format, GLenum type, const void *row, const void *column);
+typedef void (APIENTRYP PFNGLGETHISTOGRAMPROC)(GLenum target, GLboolean reset, GLenum format, GLenum type,
+        void *values);
+typedef void (APIENTRYP PFNGLGETHISTOGRAMPARAMETERFVPROC)(GLenum target, GLenum pname, GLfloat *params);
+typedef void (APIENTRYP PFNGLGETHISTOGRAMPARAMETERIVPROC)(GLenum target, GLenum pname, GLint *params);
+typedef void (APIENTRYP PFNGLGETMINMAXPROC)(GLenum target, GLboolean reset, GLenum format, GLenum type,
+        void *values);
+typedef void (APIENTRYP PFNGLGETMINMAXPARAMETERFVPROC)(GLenum target, GLenum pname, GLfloat *params);
+typedef void (APIENTRYP PFNGLGETMINMAXPARAMETERIVPROC)(GLenum target, GLenum pname, GLint *params);
+typedef void (APIENTRYP PFNGLHISTOGRAMPROC)(GLenum target, GLsizei width, GLenum internalformat,
+        GLboolean sink);
+typedef void (APIENTRYP PFNGLMINMAXPROC)(GLenum target, GLenum internalformat, GLboolean sink);
+typedef void (APIENTRYP PFNGLRESETHISTOGRAMPROC)(GLenum target);
+typedef void (APIENTRYP PFNGLRESETMINMAXPROC)(GLenum target);
+
+/* Units of texture coordinates and images, as in OpenGL 1.3; functions and tokens are in GL/gl.h. */
+#ifndef GL_ARB_multitexture
 #define GL_ARB_multitexture 1
-#define GL_TEXTURE0_ARB                         0x84C0
-#define GL_TEXTURE1_ARB                         0x84C1
-#define GL_TEXTURE2_ARB                         0x84C2
-#define GL_TEXTURE3_ARB                         0x84C3
-#define GL_TEXTURE4_ARB                         0x84C4
-#define GL_TEXTURE5_ARB                         0x84C5
-#define GL_TEXTURE6_ARB                         0x84C6
-#define GL_TEXTURE7_ARB                         0x84C7
-#define GL_TEXTURE8_ARB                         0x84C8
-#define GL_TEXTURE9_ARB                         0x84C9
-#define GL_TEXTURE10_ARB                        0x84CA
-#define GL_TEXTURE11_ARB                        0x84CB
-#define GL_TEXTURE12_ARB                        0x84CC
-#define GL_TEXTURE13_ARB                        0x84CD
-#define GL_TEXTURE14_ARB                        0x84CE
-#define GL_TEXTURE15_ARB                        0x84CF
-#define GL_TEXTURE16_ARB                        0x84D0
-#define GL_TEXTURE17_ARB                        0x84D1
-#define GL_TEXTURE18_ARB                        0x84D2
-#define GL_TEXTURE19_ARB                        0x84D3
-#define GL_TEXTURE20_ARB                        0x84D4
-#define GL_TEXTURE21_ARB                        0x84D5
-#define GL_TEXTURE22_ARB                        0x84D6
-#define GL_TEXTURE23_ARB                        0x84D7
-#define GL_TEXTURE24_ARB                        0x84D8
-#define GL_TEXTURE25_ARB                        0x84D9
-#define GL_TEXTURE26_ARB                        0x84DA
-#define GL_TEXTURE27_ARB                        0x84DB
-#define GL_TEXTURE28_ARB                        0x84DC
-#define GL_TEXTURE29_ARB                        0x84DD
-#define GL_TEXTURE30_ARB                        0x84DE
-#define GL_TEXTURE31_ARB                        0x84DF
-#define GL_ACTIVE_TEXTURE_ARB                   0x84E0
-#define GL_CLIENT_ACTIVE_TEXTURE_ARB            0x84E1
-#define GL_MAX_TEXTURE_UNITS_ARB                0x84E2
 typedef void (APIENTRYP PFNGLACTIVETEXTUREARBPROC)(GLenum texture);
 typedef void (APIENTRYP PFNGLCLIENTACTIVETEXTUREARBPROC)(GLenum texture);
 typedef void (APIENTRYP PFNGLMULTITEXCOORD1DARBPROC)(GLenum target, GLdouble s);
@@ -268,68 +399,22 @@ typedef void (APIENTRYP PFNGLMULTITEXCOORD3IARBPROC)(GLenum target, GLint s, GLi
 typedef void (APIENTRYP PFNGLMULTITEXCOORD3IVARBPROC)(GLenum target, const GLint *v);
 typedef void (APIENTRYP PFNGLMULTITEXCOORD3SARBPROC)(GLenum target, GLshort s, GLshort t, GLshort r);
 typedef void (APIENTRYP PFNGLMULTITEXCOORD3SVARBPROC)(GLenum target, const GLshort *v);
-typedef void (APIENTRYP PFNGLMULTITEXCOORD4DARBPROC)(GLenum target, GLdouble s, GLdouble t, GLdouble r, GLdouble q);
+typedef void (APIENTRYP PFNGLMULTITEXCOORD4DARBPROC)(GLenum target, GLdouble s, GLdouble t, GLdouble r,
+        GLdouble q);
 typedef void (APIENTRYP PFNGLMULTITEXCOORD4DVARBPROC)(GLenum target, const GLdouble *v);
-typedef void (APIENTRYP PFNGLMULTITEXCOORD4FARBPROC)(GLenum target, GLfloat s, GLfloat t, GLfloat r, GLfloat q);
+typedef void (APIENTRYP PFNGLMULTITEXCOORD4FARBPROC)(GLenum target, GLfloat s, GLfloat t, GLfloat r,
+        GLfloat q);
 typedef void (APIENTRYP PFNGLMULTITEXCOORD4FVARBPROC)(GLenum target, const GLfloat *v);
 typedef void (APIENTRYP PFNGLMULTITEXCOORD4IARBPROC)(GLenum target, GLint s, GLint t, GLint r, GLint q);
 typedef void (APIENTRYP PFNGLMULTITEXCOORD4IVARBPROC)(GLenum target, const GLint *v);
-typedef void (APIENTRYP PFNGLMULTITEXCOORD4SARBPROC)(GLenum target, GLshort s, GLshort t, GLshort r, GLshort q);
+typedef void (APIENTRYP PFNGLMULTITEXCOORD4SARBPROC)(GLenum target, GLshort s, GLshort t, GLshort r,
+        GLshort q);
 typedef void (APIENTRYP PFNGLMULTITEXCOORD4SVARBPROC)(GLenum target, const GLshort *v);
-#ifdef GL_GLEXT_PROTOTYPES
-GLAPI void GLAPIENTRY glActiveTextureARB(GLenum texture);
-GLAPI void GLAPIENTRY glClientActiveTextureARB(GLenum texture);
-GLAPI void GLAPIENTRY glMultiTexCoord1dARB(GLenum target, GLdouble s);
-GLAPI void GLAPIENTRY glMultiTexCoord1dvARB(GLenum target, const GLdouble *v);
-GLAPI void GLAPIENTRY glMultiTexCoord1fARB(GLenum target, GLfloat s);
-GLAPI void GLAPIENTRY glMultiTexCoord1fvARB(GLenum target, const GLfloat *v);
-GLAPI void GLAPIENTRY glMultiTexCoord1iARB(GLenum target, GLint s);
-GLAPI void GLAPIENTRY glMultiTexCoord1ivARB(GLenum target, const GLint *v);
-GLAPI void GLAPIENTRY glMultiTexCoord1sARB(GLenum target, GLshort s);
-GLAPI void GLAPIENTRY glMultiTexCoord1svARB(GLenum target, const GLshort *v);
-GLAPI void GLAPIENTRY glMultiTexCoord2dARB(GLenum target, GLdouble s, GLdouble t);
-GLAPI void GLAPIENTRY glMultiTexCoord2dvARB(GLenum target, const GLdouble *v);
-GLAPI void GLAPIENTRY glMultiTexCoord2fARB(GLenum target, GLfloat s, GLfloat t);
-GLAPI void GLAPIENTRY glMultiTexCoord2fvARB(GLenum target, const GLfloat *v);
-GLAPI void GLAPIENTRY glMultiTexCoord2iARB(GLenum target, GLint s, GLint t);
-GLAPI void GLAPIENTRY glMultiTexCoord2ivARB(GLenum target, const GLint *v);
-GLAPI void GLAPIENTRY glMultiTexCoord2sARB(GLenum target, GLshort s, GLshort t);
-GLAPI void GLAPIENTRY glMultiTexCoord2svARB(GLenum target, const GLshort *v);
-GLAPI void GLAPIENTRY glMultiTexCoord3dARB(GLenum target, GLdouble s, GLdouble t, GLdouble r);
-GLAPI void GLAPIENTRY glMultiTexCoord3dvARB(GLenum target, const GLdouble *v);
-GLAPI void GLAPIENTRY glMultiTexCoord3fARB(GLenum target, GLfloat s, GLfloat t, GLfloat r);
-GLAPI void GLAPIENTRY glMultiTexCoord3fvARB(GLenum target, const GLfloat *v);
-GLAPI void GLAPIENTRY glMultiTexCoord3iARB(GLenum target, GLint s, GLint t, GLint r);
-GLAPI void GLAPIENTRY glMultiTexCoord3ivARB(GLenum target, const GLint *v);
-GLAPI void GLAPIENTRY glMultiTexCoord3sARB(GLenum target, GLshort s, GLshort t, GLshort r);
-GLAPI void GLAPIENTRY glMultiTexCoord3svARB(GLenum target, const GLshort *v);
-GLAPI void GLAPIENTRY glMultiTexCoord4dARB(GLenum target, GLdouble s, GLdouble t, GLdouble r, GLdouble q);
-GLAPI void GLAPIENTRY glMultiTexCoord4dvARB(GLenum target, const GLdouble *v);
-GLAPI void GLAPIENTRY glMultiTexCoord4fARB(GLenum target, GLfloat s, GLfloat t, GLfloat r, GLfloat q);
-GLAPI void GLAPIENTRY glMultiTexCoord4fvARB(GLenum target, const GLfloat *v);
-GLAPI void GLAPIENTRY glMultiTexCoord4iARB(GLenum target, GLint s, GLint t, GLint r, GLint q);
-GLAPI void GLAPIENTRY glMultiTexCoord4ivARB(GLenum target, const GLint *v);
-GLAPI void GLAPIENTRY glMultiTexCoord4sARB(GLenum target, GLshort s, GLshort t, GLshort r, GLshort q);
-GLAPI void GLAPIENTRY glMultiTexCoord4svARB(GLenum target, const GLshort *v);
 #endif
 
+/* The raster position in window coordinates, as in OpenGL 1.4. */
+#ifndef GL_ARB_window_pos
 #define GL_ARB_window_pos 1
-typedef void (APIENTRYP PFNGLWINDOWPOS2DARBPROC)(GLdouble x, GLdouble y);
-typedef void (APIENTRYP PFNGLWINDOWPOS2DVARBPROC)(const GLdouble *v);
-typedef void (APIENTRYP PFNGLWINDOWPOS2FARBPROC)(GLfloat x, GLfloat y);
-typedef void (APIENTRYP PFNGLWINDOWPOS2FVARBPROC)(const GLfloat *v);
-typedef void (APIENTRYP PFNGLWINDOWPOS2IARBPROC)(GLint x, GLint y);
-typedef void (APIENTRYP PFNGLWINDOWPOS2IVARBPROC)(const GLint *v);
-typedef void (APIENTRYP PFNGLWINDOWPOS2SARBPROC)(GLshort x, GLshort y);
-typedef void (APIENTRYP PFNGLWINDOWPOS2SVARBPROC)(const GLshort *v);
-typedef void (APIENTRYP PFNGLWINDOWPOS3DARBPROC)(GLdouble x, GLdouble y, GLdouble z);
-typedef void (APIENTRYP PFNGLWINDOWPOS3DVARBPROC)(const GLdouble *v);
-typedef void (APIENTRYP PFNGLWINDOWPOS3FARBPROC)(GLfloat x, GLfloat y, GLfloat z);
-typedef void (APIENTRYP PFNGLWINDOWPOS3FVARBPROC)(const GLfloat *v);
-typedef void (APIENTRYP PFNGLWINDOWPOS3IARBPROC)(GLint x, GLint y, GLint z);
-typedef void (APIENTRYP PFNGLWINDOWPOS3IVARBPROC)(const GLint *v);
-typedef void (APIENTRYP PFNGLWINDOWPOS3SARBPROC)(GLshort x, GLshort y, GLshort z);
-typedef void (APIENTRYP PFNGLWINDOWPOS3SVARBPROC)(const GLshort *v);
 #ifdef GL_GLEXT_PROTOTYPES
 GLAPI void GLAPIENTRY glWindowPos2dARB(GLdouble x, GLdouble y);
 GLAPI void GLAPIENTRY glWindowPos2dvARB(const GLdouble *v);
@@ -348,208 +433,63 @@ GLAPI void GLAPIENTRY glWindowPos3ivARB(const GLint *v);
 GLAPI void GLAPIENTRY glWindowPos3sARB(GLshort x, GLshort y, GLshort z);
 GLAPI void GLAPIENTRY glWindowPos3svARB(const GLshort *v);
 #endif
-
-#define GL_EXT_framebuffer_object 1
-#define GL_INVALID_FRAMEBUFFER_OPERATION_EXT    0x0506
-#define GL_MAX_RENDERBUFFER_SIZE_EXT            0x84E8
-#define GL_FRAMEBUFFER_BINDING_EXT              0x8CA6
-#define GL_RENDERBUFFER_BINDING_EXT             0x8CA7
-#define GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE_EXT 0x8CD0
-#define GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME_EXT 0x8CD1
-#define GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL_EXT 0x8CD2
-#define GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_CUBE_MAP_FACE_EXT 0x8CD3
-#define GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_3D_ZOFFSET_EXT 0x8CD4
-#define GL_FRAMEBUFFER_COMPLETE_EXT             0x8CD5
-#define GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT_EXT 0x8CD6
-#define GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT_EXT 0x8CD7
-#define GL_FRAMEBUFFER_INCOMPLETE_DIMENSIONS_EXT 0x8CD9
-#define GL_FRAMEBUFFER_INCOMPLETE_FORMATS_EXT   0x8CDA
-#define GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER_EXT 0x8CDB
-#define GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER_EXT 0x8CDC
-#define GL_FRAMEBUFFER_UNSUPPORTED_EXT          0x8CDD
-#define GL_MAX_COLOR_ATTACHMENTS_EXT            0x8CDF
-#define GL_COLOR_ATTACHMENT0_EXT                0x8CE0
-#define GL_COLOR_ATTACHMENT1_EXT                0x8CE1
-#define GL_COLOR_ATTACHMENT2_EXT                0x8CE2
-#define GL_COLOR_ATTACHMENT3_EXT                0x8CE3
-#define GL_COLOR_ATTACHMENT4_EXT                0x8CE4
-#define GL_COLOR_ATTACHMENT5_EXT                0x8CE5
-#define GL_COLOR_ATTACHMENT6_EXT                0x8CE6
-#define GL_COLOR_ATTACHMENT7_EXT                0x8CE7
-#define GL_COLOR_ATTACHMENT8_EXT                0x8CE8
-#define GL_COLOR_ATTACHMENT9_EXT                0x8CE9
-#define GL_COLOR_ATTACHMENT10_EXT               0x8CEA
-#define GL_COLOR_ATTACHMENT11_EXT               0x8CEB
-#define GL_COLOR_ATTACHMENT12_EXT               0x8CEC
-#define GL_COLOR_ATTACHMENT13_EXT               0x8CED
-#define GL_COLOR_ATTACHMENT14_EXT               0x8CEE
-#define GL_COLOR_ATTACHMENT15_EXT               0x8CEF
-#define GL_DEPTH_ATTACHMENT_EXT                 0x8D00
-#define GL_STENCIL_ATTACHMENT_EXT               0x8D20
-#define GL_FRAMEBUFFER_EXT                      0x8D40
-#define GL_RENDERBUFFER_EXT                     0x8D41
-#define GL_RENDERBUFFER_WIDTH_EXT               0x8D42
-#define GL_RENDERBUFFER_HEIGHT_EXT              0x8D43
-#define GL_RENDERBUFFER_INTERNAL_FORMAT_EXT     0x8D44
-#define GL_STENCIL_INDEX1_EXT                   0x8D46
-#define GL_STENCIL_INDEX4_EXT                   0x8D47
-#define GL_STENCIL_INDEX8_EXT                   0x8D48
-#define GL_STENCIL_INDEX16_EXT                  0x8D49
-#define GL_RENDERBUFFER_RED_SIZE_EXT            0x8D50
-#define GL_RENDERBUFFER_GREEN_SIZE_EXT          0x8D51
-#define GL_RENDERBUFFER_BLUE_SIZE_EXT           0x8D52
-#define GL_RENDERBUFFER_ALPHA_SIZE_EXT          0x8D53
-#define GL_RENDERBUFFER_DEPTH_SIZE_EXT          0x8D54
-#define GL_RENDERBUFFER_STENCIL_SIZE_EXT        0x8D55
-typedef GLboolean (APIENTRYP PFNGLISRENDERBUFFEREXTPROC)(GLuint renderbuffer);
-typedef void (APIENTRYP PFNGLBINDRENDERBUFFEREXTPROC)(GLenum target, GLuint renderbuffer);
-typedef void (APIENTRYP PFNGLDELETERENDERBUFFERSEXTPROC)(GLsizei n, const GLuint *renderbuffers);
-typedef void (APIENTRYP PFNGLGENRENDERBUFFERSEXTPROC)(GLsizei n, GLuint *renderbuffers);
-typedef void (APIENTRYP PFNGLRENDERBUFFERSTORAGEEXTPROC)(GLenum target, GLenum internalformat, GLsizei width, GLsizei height);
-typedef void (APIENTRYP PFNGLGETRENDERBUFFERPARAMETERIVEXTPROC)(GLenum target, GLenum pname, GLint *params);
-typedef GLboolean (APIENTRYP PFNGLISFRAMEBUFFEREXTPROC)(GLuint framebuffer);
-typedef void (APIENTRYP PFNGLBINDFRAMEBUFFEREXTPROC)(GLenum target, GLuint framebuffer);
-typedef void (APIENTRYP PFNGLDELETEFRAMEBUFFERSEXTPROC)(GLsizei n, const GLuint *framebuffers);
-typedef void (APIENTRYP PFNGLGENFRAMEBUFFERSEXTPROC)(GLsizei n, GLuint *framebuffers);
-typedef GLenum (APIENTRYP PFNGLCHECKFRAMEBUFFERSTATUSEXTPROC)(GLenum target);
-typedef void (APIENTRYP PFNGLFRAMEBUFFERTEXTURE1DEXTPROC)(GLenum target, GLenum attachment, GLenum textarget, GLuint texture, GLint level);
-typedef void (APIENTRYP PFNGLFRAMEBUFFERTEXTURE2DEXTPROC)(GLenum target, GLenum attachment, GLenum textarget, GLuint texture, GLint level);
-typedef void (APIENTRYP PFNGLFRAMEBUFFERTEXTURE3DEXTPROC)(GLenum target, GLenum attachment, GLenum textarget, GLuint texture, GLint level, GLint zoffset);
-typedef void (APIENTRYP PFNGLFRAMEBUFFERRENDERBUFFEREXTPROC)(GLenum target, GLenum attachment, GLenum renderbuffertarget, GLuint renderbuffer);
-typedef void (APIENTRYP PFNGLGETFRAMEBUFFERATTACHMENTPARAMETERIVEXTPROC)(GLenum target, GLenum attachment, GLenum pname, GLint *params);
-typedef void (APIENTRYP PFNGLGENERATEMIPMAPEXTPROC)(GLenum target);
-#ifdef GL_GLEXT_PROTOTYPES
-GLAPI GLboolean GLAPIENTRY glIsRenderbufferEXT(GLuint renderbuffer);
-GLAPI void GLAPIENTRY glBindRenderbufferEXT(GLenum target, GLuint renderbuffer);
-GLAPI void GLAPIENTRY glDeleteRenderbuffersEXT(GLsizei n, const GLuint *renderbuffers);
-GLAPI void GLAPIENTRY glGenRenderbuffersEXT(GLsizei n, GLuint *renderbuffers);
-GLAPI void GLAPIENTRY glRenderbufferStorageEXT(GLenum target, GLenum internalformat, GLsizei width, GLsizei height);
-GLAPI void GLAPIENTRY glGetRenderbufferParameterivEXT(GLenum target, GLenum pname, GLint *params);
-GLAPI GLboolean GLAPIENTRY glIsFramebufferEXT(GLuint framebuffer);
-GLAPI void GLAPIENTRY glBindFramebufferEXT(GLenum target, GLuint framebuffer);
-GLAPI void GLAPIENTRY glDeleteFramebuffersEXT(GLsizei n, const GLuint *framebuffers);
-GLAPI void GLAPIENTRY glGenFramebuffersEXT(GLsizei n, GLuint *framebuffers);
-GLAPI GLenum GLAPIENTRY glCheckFramebufferStatusEXT(GLenum target);
-GLAPI void GLAPIENTRY glFramebufferTexture1DEXT(GLenum target, GLenum attachment, GLenum textarget, GLuint texture, GLint level);
-GLAPI void GLAPIENTRY glFramebufferTexture2DEXT(GLenum target, GLenum attachment, GLenum textarget, GLuint texture, GLint level);
-GLAPI void GLAPIENTRY glFramebufferTexture3DEXT(GLenum target, GLenum attachment, GLenum textarget, GLuint texture, GLint level, GLint zoffset);
-GLAPI void GLAPIENTRY glFramebufferRenderbufferEXT(GLenum target, GLenum attachment, GLenum renderbuffertarget, GLuint renderbuffer);
-GLAPI void GLAPIENTRY glGetFramebufferAttachmentParameterivEXT(GLenum target, GLenum attachment, GLenum pname, GLint *params);
-GLAPI void GLAPIENTRY glGenerateMipmapEXT(GLenum target);
+typedef void (APIENTRYP PFNGLWINDOWPOS2DARBPROC)(GLdouble x, GLdouble y);
+typedef void (APIENTRYP PFNGLWINDOWPOS2DVARBPROC)(const GLdouble *v);
+typedef void (APIENTRYP PFNGLWINDOWPOS2FARBPROC)(GLfloat x, GLfloat y);
+typedef void (APIENTRYP PFNGLWINDOWPOS2FVARBPROC)(const GLfloat *v);
+typedef void (APIENTRYP PFNGLWINDOWPOS2IARBPROC)(GLint x, GLint y);
+typedef void (APIENTRYP PFNGLWINDOWPOS2IVARBPROC)(const GLint *v);
+typedef void (APIENTRYP PFNGLWINDOWPOS2SARBPROC)(GLshort x, GLshort y);
+typedef void (APIENTRYP PFNGLWINDOWPOS2SVARBPROC)(const GLshort *v);
+typedef void (APIENTRYP PFNGLWINDOWPOS3DARBPROC)(GLdouble x, GLdouble y, GLdouble z);
+typedef void (APIENTRYP PFNGLWINDOWPOS3DVARBPROC)(const GLdouble *v);
+typedef void (APIENTRYP PFNGLWINDOWPOS3FARBPROC)(GLfloat x, GLfloat y, GLfloat z);
+typedef void (APIENTRYP PFNGLWINDOWPOS3FVARBPROC)(const GLfloat *v);
+typedef void (APIENTRYP PFNGLWINDOWPOS3IARBPROC)(GLint x, GLint y, GLint z);
+typedef void (APIENTRYP PFNGLWINDOWPOS3IVARBPROC)(const GLint *v);
+typedef void (APIENTRYP PFNGLWINDOWPOS3SARBPROC)(GLshort x, GLshort y, GLshort z);
+typedef void (APIENTRYP PFNGLWINDOWPOS3SVARBPROC)(const GLshort *v);
 #endif
 
-#define GL_EXT_packed_depth_stencil 1
-#define GL_DEPTH_STENCIL_EXT                    0x84F9
-#define GL_UNSIGNED_INT_24_8_EXT                0x84FA
-#define GL_DEPTH24_STENCIL8_EXT                 0x88F0
-#define GL_TEXTURE_STENCIL_SIZE_EXT             0x88F1
-
-#define GL_ARB_point_sprite 1
-#define GL_POINT_SPRITE_ARB                     0x8861
-#define GL_COORD_REPLACE_ARB                    0x8862
-
-#define GL_ARB_imaging 1
-typedef void (APIENTRYP PFNGLCOLORTABLEPROC)(GLenum target, GLenum internalformat, GLsizei width, GLenum format, GLenum type, const void *table);
-typedef void (APIENTRYP PFNGLCOLORTABLEPARAMETERFVPROC)(GLenum target, GLenum pname, const GLfloat *params);
-typedef void (APIENTRYP PFNGLCOLORTABLEPARAMETERIVPROC)(GLenum target, GLenum pname, const GLint *params);
-typedef void (APIENTRYP PFNGLCOPYCOLORTABLEPROC)(GLenum target, GLenum internalformat, GLint x, GLint y, GLsizei width);
-typedef void (APIENTRYP PFNGLGETCOLORTABLEPROC)(GLenum target, GLenum format, GLenum type, void *table);
-typedef void (APIENTRYP PFNGLGETCOLORTABLEPARAMETERFVPROC)(GLenum target, GLenum pname, GLfloat *params);
-typedef void (APIENTRYP PFNGLGETCOLORTABLEPARAMETERIVPROC)(GLenum target, GLenum pname, GLint *params);
-typedef void (APIENTRYP PFNGLCOLORSUBTABLEPROC)(GLenum target, GLsizei start, GLsizei count, GLenum format, GLenum type, const void *data);
-typedef void (APIENTRYP PFNGLCOPYCOLORSUBTABLEPROC)(GLenum target, GLsizei start, GLint x, GLint y, GLsizei width);
-typedef void (APIENTRYP PFNGLCONVOLUTIONFILTER1DPROC)(GLenum target, GLenum internalformat, GLsizei width, GLenum format, GLenum type, const void *image);
-typedef void (APIENTRYP PFNGLCONVOLUTIONFILTER2DPROC)(GLenum target, GLenum internalformat, GLsizei width, GLsizei height, GLenum format, GLenum type, const void *image);
-typedef void (APIENTRYP PFNGLCONVOLUTIONPARAMETERFPROC)(GLenum target, GLenum pname, GLfloat params);
-typedef void (APIENTRYP PFNGLCONVOLUTIONPARAMETERFVPROC)(GLenum target, GLenum pname, const GLfloat *params);
-typedef void (APIENTRYP PFNGLCONVOLUTIONPARAMETERIPROC)(GLenum target, GLenum pname, GLint params);
-typedef void (APIENTRYP PFNGLCONVOLUTIONPARAMETERIVPROC)(GLenum target, GLenum pname, const GLint *params);
-typedef void (APIENTRYP PFNGLCOPYCONVOLUTIONFILTER1DPROC)(GLenum target, GLenum internalformat, GLint x, GLint y, GLsizei width);
-typedef void (APIENTRYP PFNGLCOPYCONVOLUTIONFILTER2DPROC)(GLenum target, GLenum internalformat, GLint x, GLint y, GLsizei width, GLsizei height);
-typedef void (APIENTRYP PFNGLGETCONVOLUTIONFILTERPROC)(GLenum target, GLenum format, GLenum type, void *image);
-typedef void (APIENTRYP PFNGLGETCONVOLUTIONPARAMETERFVPROC)(GLenum target, GLenum pname, GLfloat *params);
-typedef void (APIENTRYP PFNGLGETCONVOLUTIONPARAMETERIVPROC)(GLenum target, GLenum pname, GLint *params);
-typedef void (APIENTRYP PFNGLGETSEPARABLEFILTERPROC)(GLenum target, GLenum format, GLenum type, void *row, void *column, void *span);
-typedef void (APIENTRYP PFNGLSEPARABLEFILTER2DPROC)(GLenum target, GLenum internalformat, GLsizei width, GLsizei height, GLenum format, GLenum type, const void *row, const void *column);
-typedef void (APIENTRYP PFNGLGETHISTOGRAMPROC)(GLenum target, GLboolean reset, GLenum format, GLenum type, void *values);
-typedef void (APIENTRYP PFNGLGETHISTOGRAMPARAMETERFVPROC)(GLenum target, GLenum pname, GLfloat *params);
-typedef void (APIENTRYP PFNGLGETHISTOGRAMPARAMETERIVPROC)(GLenum target, GLenum pname, GLint *params);
-typedef void (APIENTRYP PFNGLGETMINMAXPROC)(GLenum target, GLboolean reset, GLenum format, GLenum type, void *values);
-typedef void (APIENTRYP PFNGLGETMINMAXPARAMETERFVPROC)(GLenum target, GLenum pname, GLfloat *params);
-typedef void (APIENTRYP PFNGLGETMINMAXPARAMETERIVPROC)(GLenum target, GLenum pname, GLint *params);
-typedef void (APIENTRYP PFNGLHISTOGRAMPROC)(GLenum target, GLsizei width, GLenum internalformat, GLboolean sink);
-typedef void (APIENTRYP PFNGLMINMAXPROC)(GLenum target, GLenum internalformat, GLboolean sink);
-typedef void (APIENTRYP PFNGLRESETHISTOGRAMPROC)(GLenum target);
-typedef void (APIENTRYP PFNGLRESETMINMAXPROC)(GLenum target);
-#ifdef GL_GLEXT_PROTOTYPES
-GLAPI void GLAPIENTRY glColorTable(GLenum target, GLenum internalformat, GLsizei width, GLenum format, GLenum type, const void *table);
-GLAPI void GLAPIENTRY glColorTableParameterfv(GLenum target, GLenum pname, const GLfloat *params);
-GLAPI void GLAPIENTRY glColorTableParameteriv(GLenum target, GLenum pname, const GLint *params);
-GLAPI void GLAPIENTRY glCopyColorTable(GLenum target, GLenum internalformat, GLint x, GLint y, GLsizei width);
-GLAPI void GLAPIENTRY glGetColorTable(GLenum target, GLenum format, GLenum type, void *table);
-GLAPI void GLAPIENTRY glGetColorTableParameterfv(GLenum target, GLenum pname, GLfloat *params);
-GLAPI void GLAPIENTRY glGetColorTableParameteriv(GLenum target, GLenum pname, GLint *params);
-GLAPI void GLAPIENTRY glColorSubTable(GLenum target, GLsizei start, GLsizei count, GLenum format, GLenum type, const void *data);
-GLAPI void GLAPIENTRY glCopyColorSubTable(GLenum target, GLsizei start, GLint x, GLint y, GLsizei width);
-GLAPI void GLAPIENTRY glConvolutionFilter1D(GLenum target, GLenum internalformat, GLsizei width, GLenum format, GLenum type, const void *image);
-GLAPI void GLAPIENTRY glConvolutionFilter2D(GLenum target, GLenum internalformat, GLsizei width, GLsizei height, GLenum format, GLenum type, const void *image);
-GLAPI void GLAPIENTRY glConvolutionParameterf(GLenum target, GLenum pname, GLfloat params);
-GLAPI void GLAPIENTRY glConvolutionParameterfv(GLenum target, GLenum pname, const GLfloat *params);
-GLAPI void GLAPIENTRY glConvolutionParameteri(GLenum target, GLenum pname, GLint params);
-GLAPI void GLAPIENTRY glConvolutionParameteriv(GLenum target, GLenum pname, const GLint *params);
-GLAPI void GLAPIENTRY glCopyConvolutionFilter1D(GLenum target, GLenum internalformat, GLint x, GLint y, GLsizei width);
-GLAPI void GLAPIENTRY glCopyConvolutionFilter2D(GLenum target, GLenum internalformat, GLint x, GLint y, GLsizei width, GLsizei height);
-GLAPI void GLAPIENTRY glGetConvolutionFilter(GLenum target, GLenum format, GLenum type, void *image);
-GLAPI void GLAPIENTRY glGetConvolutionParameterfv(GLenum target, GLenum pname, GLfloat *params);
-GLAPI void GLAPIENTRY glGetConvolutionParameteriv(GLenum target, GLenum pname, GLint *params);
-GLAPI void GLAPIENTRY glGetSeparableFilter(GLenum target, GLenum format, GLenum type, void *row, void *column, void *span);
-GLAPI void GLAPIENTRY glSeparableFilter2D(GLenum target, GLenum internalformat, GLsizei width, GLsizei height, GLenum format, GLenum type, const void *row, const void *column);
-GLAPI void GLAPIENTRY glGetHistogram(GLenum target, GLboolean reset, GLenum format, GLenum type, void *values);
-GLAPI void GLAPIENTRY glGetHistogramParameterfv(GLenum target, GLenum pname, GLfloat *params);
-GLAPI void GLAPIENTRY glGetHistogramParameteriv(GLenum target, GLenum pname, GLint *params);
-GLAPI void GLAPIENTRY glGetMinmax(GLenum target, GLboolean reset, GLenum format, GLenum type, void *values);
-GLAPI void GLAPIENTRY glGetMinmaxParameterfv(GLenum target, GLenum pname, GLfloat *params);
-GLAPI void GLAPIENTRY glGetMinmaxParameteriv(GLenum target, GLenum pname, GLint *params);
-GLAPI void GLAPIENTRY glHistogram(GLenum target, GLsizei width, GLenum internalformat, GLboolean sink);
-GLAPI void GLAPIENTRY glMinmax(GLenum target, GLenum internalformat, GLboolean sink);
-GLAPI void GLAPIENTRY glResetHistogram(GLenum target);
-GLAPI void GLAPIENTRY glResetMinmax(GLenum target);
-#endif
-
-#define GL_WIN_phong_shading 1
-#define GL_PHONG_WIN                            0x80EA
-#define GL_PHONG_HINT_WIN                       0x80EB
-
-#define GL_APPLE_specular_vector 1
-#define GL_LIGHT_MODEL_SPECULAR_VECTOR_APPLE    0x85B0
-
-#define GL_NV_light_max_exponent 1
-#define GL_MAX_SHININESS_NV                     0x8504
-#define GL_MAX_SPOT_EXPONENT_NV                 0x8505
-
+/* Pixels with blue first, as in OpenGL 1.2. */
+#ifndef GL_EXT_bgra
 #define GL_EXT_bgra 1
-#define GL_BGR_EXT                              0x80E0
-#define GL_BGRA_EXT                             0x80E1
+#define GL_BGR_EXT                                 0x80E0
+#define GL_BGRA_EXT                                0x80E1
+#endif
 
+/* Packed pixels, as in OpenGL 1.2 without the REV types. */
+#ifndef GL_EXT_packed_pixels
 #define GL_EXT_packed_pixels 1
-#define GL_UNSIGNED_BYTE_3_3_2_EXT              0x8032
-#define GL_UNSIGNED_SHORT_4_4_4_4_EXT           0x8033
-#define GL_UNSIGNED_SHORT_5_5_5_1_EXT           0x8034
-#define GL_UNSIGNED_INT_8_8_8_8_EXT             0x8035
-#define GL_UNSIGNED_INT_10_10_10_2_EXT          0x8036
+#define GL_UNSIGNED_BYTE_3_3_2_EXT                 0x8032
+#define GL_UNSIGNED_SHORT_4_4_4_4_EXT              0x8033
+#define GL_UNSIGNED_SHORT_5_5_5_1_EXT              0x8034
+#define GL_UNSIGNED_INT_8_8_8_8_EXT                0x8035
+#define GL_UNSIGNED_INT_10_10_10_2_EXT             0x8036
+#endif
 
+/* Normals rescaled by a uniform modelview scale, as in OpenGL 1.2. */
+#ifndef GL_EXT_rescale_normal
+#define GL_EXT_rescale_normal 1
+#define GL_RESCALE_NORMAL_EXT                      0x803A
+#endif
+
+/* Highlights added after texturing, as in OpenGL 1.2. */
+#ifndef GL_EXT_separate_specular_color
+#define GL_EXT_separate_specular_color 1
+#define GL_LIGHT_MODEL_COLOR_CONTROL_EXT           0x81F8
+#define GL_SINGLE_COLOR_EXT                        0x81F9
+#define GL_SEPARATE_SPECULAR_COLOR_EXT             0x81FA
+#endif
+
+/* Texture objects, as in OpenGL 1.1. */
+#ifndef GL_EXT_texture_object
 #define GL_EXT_texture_object 1
-#define GL_TEXTURE_PRIORITY_EXT                 0x8066
-#define GL_TEXTURE_RESIDENT_EXT                 0x8067
-#define GL_TEXTURE_1D_BINDING_EXT               0x8068
-#define GL_TEXTURE_2D_BINDING_EXT               0x8069
-#define GL_TEXTURE_3D_BINDING_EXT               0x806A
-typedef GLboolean (APIENTRYP PFNGLARETEXTURESRESIDENTEXTPROC)(GLsizei n, const GLuint *textures, GLboolean *residences);
-typedef void (APIENTRYP PFNGLBINDTEXTUREEXTPROC)(GLenum target, GLuint texture);
-typedef void (APIENTRYP PFNGLDELETETEXTURESEXTPROC)(GLsizei n, const GLuint *textures);
-typedef void (APIENTRYP PFNGLGENTEXTURESEXTPROC)(GLsizei n, GLuint *textures);
-typedef GLboolean (APIENTRYP PFNGLISTEXTUREEXTPROC)(GLuint texture);
-typedef void (APIENTRYP PFNGLPRIORITIZETEXTURESEXTPROC)(GLsizei n, const GLuint *textures, const GLclampf *priorities);
+#define GL_TEXTURE_PRIORITY_EXT                    0x8066
+#define GL_TEXTURE_RESIDENT_EXT                    0x8067
+#define GL_TEXTURE_1D_BINDING_EXT                  0x8068
+#define GL_TEXTURE_2D_BINDING_EXT                  0x8069
+#define GL_TEXTURE_3D_BINDING_EXT                  0x806A
 #ifdef GL_GLEXT_PROTOTYPES
 GLAPI GLboolean GLAPIENTRY glAreTexturesResidentEXT(GLsizei n, const GLuint *textures, GLboolean *residences);
 GLAPI void GLAPIENTRY glBindTextureEXT(GLenum target, GLuint texture);
@@ -558,59 +498,251 @@ GLAPI void GLAPIENTRY glGenTexturesEXT(GLsizei n, GLuint *textures);
 GLAPI GLboolean GLAPIENTRY glIsTextureEXT(GLuint texture);
 GLAPI void GLAPIENTRY glPrioritizeTexturesEXT(GLsizei n, const GLuint *textures, const GLclampf *priorities);
 #endif
+typedef GLboolean (APIENTRYP PFNGLARETEXTURESRESIDENTEXTPROC)(GLsizei n, const GLuint *textures,
+        GLboolean *residences);
+typedef void (APIENTRYP PFNGLBINDTEXTUREEXTPROC)(GLenum target, GLuint texture);
+typedef void (APIENTRYP PFNGLDELETETEXTURESEXTPROC)(GLsizei n, const GLuint *textures);
+typedef void (APIENTRYP PFNGLGENTEXTURESEXTPROC)(GLsizei n, GLuint *textures);
+typedef GLboolean (APIENTRYP PFNGLISTEXTUREEXTPROC)(GLuint texture);
+typedef void (APIENTRYP PFNGLPRIORITIZETEXTURESEXTPROC)(GLsizei n, const GLuint *textures,
+        const GLclampf *priorities);
+#endif
 
+/* Vertex arrays, as in OpenGL 1.1; count says how many elements an array has, arrays are switched by
+ * glEnable. */
+#ifndef GL_EXT_vertex_array
 #define GL_EXT_vertex_array 1
-#define GL_VERTEX_ARRAY_EXT                     0x8074
-#define GL_NORMAL_ARRAY_EXT                     0x8075
-#define GL_COLOR_ARRAY_EXT                      0x8076
-#define GL_INDEX_ARRAY_EXT                      0x8077
-#define GL_TEXTURE_COORD_ARRAY_EXT              0x8078
-#define GL_EDGE_FLAG_ARRAY_EXT                  0x8079
-#define GL_VERTEX_ARRAY_SIZE_EXT                0x807A
-#define GL_VERTEX_ARRAY_TYPE_EXT                0x807B
-#define GL_VERTEX_ARRAY_STRIDE_EXT              0x807C
-#define GL_VERTEX_ARRAY_COUNT_EXT               0x807D
-#define GL_NORMAL_ARRAY_TYPE_EXT                0x807E
-#define GL_NORMAL_ARRAY_STRIDE_EXT              0x807F
-#define GL_NORMAL_ARRAY_COUNT_EXT               0x8080
-#define GL_COLOR_ARRAY_SIZE_EXT                 0x8081
-#define GL_COLOR_ARRAY_TYPE_EXT                 0x8082
-#define GL_COLOR_ARRAY_STRIDE_EXT               0x8083
-#define GL_COLOR_ARRAY_COUNT_EXT                0x8084
-#define GL_INDEX_ARRAY_TYPE_EXT                 0x8085
-#define GL_INDEX_ARRAY_STRIDE_EXT               0x8086
-#define GL_INDEX_ARRAY_COUNT_EXT                0x8087
-#define GL_TEXTURE_COORD_ARRAY_SIZE_EXT         0x8088
-#define GL_TEXTURE_COORD_ARRAY_TYPE_EXT         0x8089
-#define GL_TEXTURE_COORD_ARRAY_STRIDE_EXT       0x808A
-#define GL_TEXTURE_COORD_ARRAY_COUNT_EXT        0x808B
-#define GL_EDGE_FLAG_ARRAY_STRIDE_EXT           0x808C
-#define GL_EDGE_FLAG_ARRAY_COUNT_EXT            0x808D
-#define GL_VERTEX_ARRAY_POINTER_EXT             0x808E
-#define GL_NORMAL_ARRAY_POINTER_EXT             0x808F
-#define GL_COLOR_ARRAY_POINTER_EXT              0x8090
-#define GL_INDEX_ARRAY_POINTER_EXT              0x8091
-#define GL_TEXTURE_COORD_ARRAY_POINTER_EXT      0x8092
-#define GL_EDGE_FLAG_ARRAY_POINTER_EXT          0x8093
-typedef void (APIENTRYP PFNGLARRAYELEMENTEXTPROC)(GLint i);
-typedef void (APIENTRYP PFNGLCOLORPOINTEREXTPROC)(GLint size, GLenum type, GLsizei stride, GLsizei count, const void *pointer);
-typedef void (APIENTRYP PFNGLDRAWARRAYSEXTPROC)(GLenum mode, GLint first, GLsizei count);
-typedef void (APIENTRYP PFNGLEDGEFLAGPOINTEREXTPROC)(GLsizei stride, GLsizei count, const GLboolean *pointer);
-typedef void (APIENTRYP PFNGLGETPOINTERVEXTPROC)(GLenum pname, void **params);
-typedef void (APIENTRYP PFNGLINDEXPOINTEREXTPROC)(GLenum type, GLsizei stride, GLsizei count, const void *pointer);
-typedef void (APIENTRYP PFNGLNORMALPOINTEREXTPROC)(GLenum type, GLsizei stride, GLsizei count, const void *pointer);
-typedef void (APIENTRYP PFNGLTEXCOORDPOINTEREXTPROC)(GLint size, GLenum type, GLsizei stride, GLsizei count, const void *pointer);
-typedef void (APIENTRYP PFNGLVERTEXPOINTEREXTPROC)(GLint size, GLenum type, GLsizei stride, GLsizei count, const void *pointer);
+#define GL_VERTEX_ARRAY_EXT                        0x8074
+#define GL_NORMAL_ARRAY_EXT                        0x8075
+#define GL_COLOR_ARRAY_EXT                         0x8076
+#define GL_INDEX_ARRAY_EXT                         0x8077
+#define GL_TEXTURE_COORD_ARRAY_EXT                 0x8078
+#define GL_EDGE_FLAG_ARRAY_EXT                     0x8079
+#define GL_VERTEX_ARRAY_SIZE_EXT                   0x807A
+#define GL_VERTEX_ARRAY_TYPE_EXT                   0x807B
+#define GL_VERTEX_ARRAY_STRIDE_EXT                 0x807C
+#define GL_VERTEX_ARRAY_COUNT_EXT                  0x807D
+#define GL_NORMAL_ARRAY_TYPE_EXT                   0x807E
+#define GL_NORMAL_ARRAY_STRIDE_EXT                 0x807F
+#define GL_NORMAL_ARRAY_COUNT_EXT                  0x8080
+#define GL_COLOR_ARRAY_SIZE_EXT                    0x8081
+#define GL_COLOR_ARRAY_TYPE_EXT                    0x8082
+#define GL_COLOR_ARRAY_STRIDE_EXT                  0x8083
+#define GL_COLOR_ARRAY_COUNT_EXT                   0x8084
+#define GL_INDEX_ARRAY_TYPE_EXT                    0x8085
+#define GL_INDEX_ARRAY_STRIDE_EXT                  0x8086
+#define GL_INDEX_ARRAY_COUNT_EXT                   0x8087
+#define GL_TEXTURE_COORD_ARRAY_SIZE_EXT            0x8088
+#define GL_TEXTURE_COORD_ARRAY_TYPE_EXT            0x8089
+#define GL_TEXTURE_COORD_ARRAY_STRIDE_EXT          0x808A
+#define GL_TEXTURE_COORD_ARRAY_COUNT_EXT           0x808B
+#define GL_EDGE_FLAG_ARRAY_STRIDE_EXT              0x808C
+#define GL_EDGE_FLAG_ARRAY_COUNT_EXT               0x808D
+#define GL_VERTEX_ARRAY_POINTER_EXT                0x808E
+#define GL_NORMAL_ARRAY_POINTER_EXT                0x808F
+#define GL_COLOR_ARRAY_POINTER_EXT                 0x8090
+#define GL_INDEX_ARRAY_POINTER_EXT                 0x8091
+#define GL_TEXTURE_COORD_ARRAY_POINTER_EXT         0x8092
+#define GL_EDGE_FLAG_ARRAY_POINTER_EXT             0x8093
 #ifdef GL_GLEXT_PROTOTYPES
 GLAPI void GLAPIENTRY glArrayElementEXT(GLint i);
-GLAPI void GLAPIENTRY glColorPointerEXT(GLint size, GLenum type, GLsizei stride, GLsizei count, const void *pointer);
+GLAPI void GLAPIENTRY glColorPointerEXT(GLint size, GLenum type, GLsizei stride, GLsizei count,
+                                        const void *pointer);
 GLAPI void GLAPIENTRY glDrawArraysEXT(GLenum mode, GLint first, GLsizei count);
 GLAPI void GLAPIENTRY glEdgeFlagPointerEXT(GLsizei stride, GLsizei count, const GLboolean *pointer);
 GLAPI void GLAPIENTRY glGetPointervEXT(GLenum pname, void **params);
 GLAPI void GLAPIENTRY glIndexPointerEXT(GLenum type, GLsizei stride, GLsizei count, const void *pointer);
 GLAPI void GLAPIENTRY glNormalPointerEXT(GLenum type, GLsizei stride, GLsizei count, const void *pointer);
-GLAPI void GLAPIENTRY glTexCoordPointerEXT(GLint size, GLenum type, GLsizei stride, GLsizei count, const void *pointer);
-GLAPI void GLAPIENTRY glVertexPointerEXT(GLint size, GLenum type, GLsizei stride, GLsizei count, const void *pointer);
+GLAPI void GLAPIENTRY glTexCoordPointerEXT(GLint size, GLenum type, GLsizei stride, GLsizei count,
+                                           const void *pointer);
+GLAPI void GLAPIENTRY glVertexPointerEXT(GLint size, GLenum type, GLsizei stride, GLsizei count,
+                                         const void *pointer);
+#endif
+typedef void (APIENTRYP PFNGLARRAYELEMENTEXTPROC)(GLint i);
+typedef void (APIENTRYP PFNGLCOLORPOINTEREXTPROC)(GLint size, GLenum type, GLsizei stride, GLsizei count,
+        const void *pointer);
+typedef void (APIENTRYP PFNGLDRAWARRAYSEXTPROC)(GLenum mode, GLint first, GLsizei count);
+typedef void (APIENTRYP PFNGLEDGEFLAGPOINTEREXTPROC)(GLsizei stride, GLsizei count, const GLboolean *pointer);
+typedef void (APIENTRYP PFNGLGETPOINTERVEXTPROC)(GLenum pname, void **params);
+typedef void (APIENTRYP PFNGLINDEXPOINTEREXTPROC)(GLenum type, GLsizei stride, GLsizei count,
+        const void *pointer);
+typedef void (APIENTRYP PFNGLNORMALPOINTEREXTPROC)(GLenum type, GLsizei stride, GLsizei count,
+        const void *pointer);
+typedef void (APIENTRYP PFNGLTEXCOORDPOINTEREXTPROC)(GLint size, GLenum type, GLsizei stride, GLsizei count,
+        const void *pointer);
+typedef void (APIENTRYP PFNGLVERTEXPOINTEREXTPROC)(GLint size, GLenum type, GLsizei stride, GLsizei count,
+        const void *pointer);
+#endif
+
+
+/* ---- Extensions beyond OpenGL 1.5 ---------------------------------------------------------------------- */
+
+/* Points drawn as textured squares: an enable, and a texture environment of its own (target
+ * GL_POINT_SPRITE_ARB) with GL_COORD_REPLACE_ARB, per unit: texture coordinates run over the point from 0 to
+ * 1. */
+#ifndef GL_ARB_point_sprite
+#define GL_ARB_point_sprite 1
+#define GL_POINT_SPRITE_ARB                        0x8861
+#define GL_COORD_REPLACE_ARB                       0x8862
+#endif
+
+/* Depth and stencil of one pixel in one 32-bit word: depth in the upper 24 bits, stencil in the lower 8. */
+#ifndef GL_EXT_packed_depth_stencil
+#define GL_EXT_packed_depth_stencil 1
+#define GL_DEPTH_STENCIL_EXT                       0x84F9
+#define GL_UNSIGNED_INT_24_8_EXT                   0x84FA
+#define GL_DEPTH24_STENCIL8_EXT                    0x88F0
+#define GL_TEXTURE_STENCIL_SIZE_EXT                0x88F1
+#endif
+
+/* Lighting computed per fragment: GL_PHONG_WIN for glShadeModel, and a hint. */
+#ifndef GL_WIN_phong_shading
+#define GL_WIN_phong_shading 1
+#define GL_PHONG_WIN                               0x80EA
+#define GL_PHONG_HINT_WIN                          0x80EB
+#endif
+
+/* Highlights from the reflected light vector instead of the half vector: a boolean for glLightModel. */
+#ifndef GL_APPLE_specular_vector
+#define GL_APPLE_specular_vector 1
+#define GL_LIGHT_MODEL_SPECULAR_VECTOR_APPLE       0x85B0
+#endif
+
+/* Limits of GL_SHININESS and GL_SPOT_EXPONENT that may be above 128, for glGet. */
+#ifndef GL_NV_light_max_exponent
+#define GL_NV_light_max_exponent 1
+#define GL_MAX_SHININESS_NV                        0x8504
+#define GL_MAX_SPOT_EXPONENT_NV                    0x8505
+#endif
+
+/* Framebuffers made of renderbuffers and textures, to draw into instead of the caller's buffer. */
+#ifndef GL_EXT_framebuffer_object
+#define GL_EXT_framebuffer_object 1
+
+/* Targets, attachment points, bindings and limits. */
+#define GL_FRAMEBUFFER_EXT                         0x8D40
+#define GL_RENDERBUFFER_EXT                        0x8D41
+#define GL_COLOR_ATTACHMENT0_EXT                   0x8CE0
+#define GL_COLOR_ATTACHMENT1_EXT                   0x8CE1
+#define GL_COLOR_ATTACHMENT2_EXT                   0x8CE2
+#define GL_COLOR_ATTACHMENT3_EXT                   0x8CE3
+#define GL_COLOR_ATTACHMENT4_EXT                   0x8CE4
+#define GL_COLOR_ATTACHMENT5_EXT                   0x8CE5
+#define GL_COLOR_ATTACHMENT6_EXT                   0x8CE6
+#define GL_COLOR_ATTACHMENT7_EXT                   0x8CE7
+#define GL_COLOR_ATTACHMENT8_EXT                   0x8CE8
+#define GL_COLOR_ATTACHMENT9_EXT                   0x8CE9
+#define GL_COLOR_ATTACHMENT10_EXT                  0x8CEA
+#define GL_COLOR_ATTACHMENT11_EXT                  0x8CEB
+#define GL_COLOR_ATTACHMENT12_EXT                  0x8CEC
+#define GL_COLOR_ATTACHMENT13_EXT                  0x8CED
+#define GL_COLOR_ATTACHMENT14_EXT                  0x8CEE
+#define GL_COLOR_ATTACHMENT15_EXT                  0x8CEF
+#define GL_DEPTH_ATTACHMENT_EXT                    0x8D00
+#define GL_STENCIL_ATTACHMENT_EXT                  0x8D20
+#define GL_FRAMEBUFFER_BINDING_EXT                 0x8CA6
+#define GL_RENDERBUFFER_BINDING_EXT                0x8CA7
+#define GL_MAX_COLOR_ATTACHMENTS_EXT               0x8CDF
+#define GL_MAX_RENDERBUFFER_SIZE_EXT               0x84E8
+
+/* Properties of an attachment and of a renderbuffer, and stencil formats. */
+#define GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE_EXT  0x8CD0
+#define GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME_EXT  0x8CD1
+#define GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL_EXT 0x8CD2
+#define GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_CUBE_MAP_FACE_EXT 0x8CD3
+#define GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_3D_ZOFFSET_EXT 0x8CD4
+#define GL_RENDERBUFFER_WIDTH_EXT                  0x8D42
+#define GL_RENDERBUFFER_HEIGHT_EXT                 0x8D43
+#define GL_RENDERBUFFER_INTERNAL_FORMAT_EXT        0x8D44
+#define GL_RENDERBUFFER_RED_SIZE_EXT               0x8D50
+#define GL_RENDERBUFFER_GREEN_SIZE_EXT             0x8D51
+#define GL_RENDERBUFFER_BLUE_SIZE_EXT              0x8D52
+#define GL_RENDERBUFFER_ALPHA_SIZE_EXT             0x8D53
+#define GL_RENDERBUFFER_DEPTH_SIZE_EXT             0x8D54
+#define GL_RENDERBUFFER_STENCIL_SIZE_EXT           0x8D55
+#define GL_STENCIL_INDEX1_EXT                      0x8D46
+#define GL_STENCIL_INDEX4_EXT                      0x8D47
+#define GL_STENCIL_INDEX8_EXT                      0x8D48
+#define GL_STENCIL_INDEX16_EXT                     0x8D49
+
+/* Answers of glCheckFramebufferStatusEXT, and the error of drawing or reading when it is not complete. */
+#define GL_FRAMEBUFFER_COMPLETE_EXT                0x8CD5
+#define GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT_EXT   0x8CD6
+#define GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT_EXT 0x8CD7
+#define GL_FRAMEBUFFER_INCOMPLETE_DIMENSIONS_EXT   0x8CD9
+#define GL_FRAMEBUFFER_INCOMPLETE_FORMATS_EXT      0x8CDA
+#define GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER_EXT  0x8CDB
+#define GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER_EXT  0x8CDC
+#define GL_FRAMEBUFFER_UNSUPPORTED_EXT             0x8CDD
+#define GL_INVALID_FRAMEBUFFER_OPERATION_EXT       0x0506
+
+#ifdef GL_GLEXT_PROTOTYPES
+/* Bind (a new name makes an object, 0 is none), delete, make names, and ask whether a name is that of an
+ * object. */
+GLAPI void GLAPIENTRY glBindRenderbufferEXT(GLenum target, GLuint renderbuffer);
+GLAPI void GLAPIENTRY glDeleteRenderbuffersEXT(GLsizei n, const GLuint *renderbuffers);
+GLAPI void GLAPIENTRY glGenRenderbuffersEXT(GLsizei n, GLuint *renderbuffers);
+GLAPI GLboolean GLAPIENTRY glIsRenderbufferEXT(GLuint renderbuffer);
+
+/* Gives the bound renderbuffer width x height pixels of a color, depth or stencil format. GL_INVALID_VALUE:
+ * larger than GL_MAX_RENDERBUFFER_SIZE_EXT. GL_INVALID_OPERATION: none is bound. */
+GLAPI void GLAPIENTRY glRenderbufferStorageEXT(GLenum target, GLenum internalformat, GLsizei width,
+                                               GLsizei height);
+
+/* Writes a property of the bound renderbuffer. GL_INVALID_OPERATION: none is bound. */
+GLAPI void GLAPIENTRY glGetRenderbufferParameterivEXT(GLenum target, GLenum pname, GLint *params);
+
+/* The same for framebuffers; framebuffer 0 is the caller's buffer. */
+GLAPI void GLAPIENTRY glBindFramebufferEXT(GLenum target, GLuint framebuffer);
+GLAPI void GLAPIENTRY glDeleteFramebuffersEXT(GLsizei n, const GLuint *framebuffers);
+GLAPI void GLAPIENTRY glGenFramebuffersEXT(GLsizei n, GLuint *framebuffers);
+GLAPI GLboolean GLAPIENTRY glIsFramebufferEXT(GLuint framebuffer);
+
+/* Returns whether the bound framebuffer can be drawn to, or what is wrong with it. */
+GLAPI GLenum GLAPIENTRY glCheckFramebufferStatusEXT(GLenum target);
+
+/* Attach an image of a texture (level; layer zoffset of a 3D one), or a renderbuffer, to the bound
+ * framebuffer; name 0 detaches. GL_INVALID_OPERATION: framebuffer 0 is bound, the name is none, the texture
+ * has another target. GL_INVALID_VALUE: level or zoffset out of range. */
+GLAPI void GLAPIENTRY glFramebufferTexture1DEXT(GLenum target, GLenum attachment, GLenum textarget,
+                                                GLuint texture, GLint level);
+GLAPI void GLAPIENTRY glFramebufferTexture2DEXT(GLenum target, GLenum attachment, GLenum textarget,
+                                                GLuint texture, GLint level);
+GLAPI void GLAPIENTRY glFramebufferTexture3DEXT(GLenum target, GLenum attachment, GLenum textarget,
+                                                GLuint texture, GLint level, GLint zoffset);
+GLAPI void GLAPIENTRY glFramebufferRenderbufferEXT(GLenum target, GLenum attachment,
+                                                   GLenum renderbuffertarget, GLuint renderbuffer);
+
+/* Writes a property of an attachment. GL_INVALID_OPERATION: framebuffer 0 is bound. */
+GLAPI void GLAPIENTRY glGetFramebufferAttachmentParameterivEXT(GLenum target, GLenum attachment, GLenum pname,
+                                                               GLint *params);
+
+/* Makes all smaller levels of the texture bound to target from its base level. */
+GLAPI void GLAPIENTRY glGenerateMipmapEXT(GLenum target);
+#endif
+typedef GLboolean (APIENTRYP PFNGLISRENDERBUFFEREXTPROC)(GLuint renderbuffer);
+typedef void (APIENTRYP PFNGLBINDRENDERBUFFEREXTPROC)(GLenum target, GLuint renderbuffer);
+typedef void (APIENTRYP PFNGLDELETERENDERBUFFERSEXTPROC)(GLsizei n, const GLuint *renderbuffers);
+typedef void (APIENTRYP PFNGLGENRENDERBUFFERSEXTPROC)(GLsizei n, GLuint *renderbuffers);
+typedef void (APIENTRYP PFNGLRENDERBUFFERSTORAGEEXTPROC)(GLenum target, GLenum internalformat, GLsizei width,
+        GLsizei height);
+typedef void (APIENTRYP PFNGLGETRENDERBUFFERPARAMETERIVEXTPROC)(GLenum target, GLenum pname, GLint *params);
+typedef GLboolean (APIENTRYP PFNGLISFRAMEBUFFEREXTPROC)(GLuint framebuffer);
+typedef void (APIENTRYP PFNGLBINDFRAMEBUFFEREXTPROC)(GLenum target, GLuint framebuffer);
+typedef void (APIENTRYP PFNGLDELETEFRAMEBUFFERSEXTPROC)(GLsizei n, const GLuint *framebuffers);
+typedef void (APIENTRYP PFNGLGENFRAMEBUFFERSEXTPROC)(GLsizei n, GLuint *framebuffers);
+typedef GLenum (APIENTRYP PFNGLCHECKFRAMEBUFFERSTATUSEXTPROC)(GLenum target);
+typedef void (APIENTRYP PFNGLFRAMEBUFFERTEXTURE1DEXTPROC)(GLenum target, GLenum attachment, GLenum textarget,
+        GLuint texture, GLint level);
+typedef void (APIENTRYP PFNGLFRAMEBUFFERTEXTURE2DEXTPROC)(GLenum target, GLenum attachment, GLenum textarget,
+        GLuint texture, GLint level);
+typedef void (APIENTRYP PFNGLFRAMEBUFFERTEXTURE3DEXTPROC)(GLenum target, GLenum attachment, GLenum textarget,
+        GLuint texture, GLint level, GLint zoffset);
+typedef void (APIENTRYP PFNGLFRAMEBUFFERRENDERBUFFEREXTPROC)(GLenum target, GLenum attachment,
+        GLenum renderbuffertarget, GLuint renderbuffer);
+typedef void (APIENTRYP PFNGLGETFRAMEBUFFERATTACHMENTPARAMETERIVEXTPROC)(GLenum target, GLenum attachment,
+        GLenum pname, GLint *params);
+typedef void (APIENTRYP PFNGLGENERATEMIPMAPEXTPROC)(GLenum target);
 #endif
 
 #ifdef __cplusplus
