@@ -79,13 +79,13 @@ TOKEN(OSMESA_RGB_565, 5);
 TOKEN(OSMESA_MAX_HEIGHT, 0x25);
 TOKEN(OSMESA_CONTEXT_MINOR_VERSION, 0x37);
 
-#if !defined(GL_VERSION_1_1) || !defined(GL_VERSION_1_5) || !defined(GL_ARB_multitexture) || \
+#if !defined(GL_VERSION_1_1) || !defined(GL_VERSION_1_5) || !defined(GL_ARB_multitexture) ||                 \
         !defined(GL_ARB_imaging)
 #error "the headers do not say what they hold"
 #endif
 
 /* A function and the pointer type that OSMesaGetProcAddress is cast to must agree. */
-#define SAME(pointer, function) _Static_assert(_Generic(&(function), pointer: 1, default: 0), #function)
+#define SAME(pointer, function) _Static_assert(_Generic(&(function), pointer : 1, default : 0), #function)
 
 SAME(PFNGLDRAWRANGEELEMENTSPROC, glDrawRangeElements);
 SAME(PFNGLACTIVETEXTUREPROC, glActiveTexture);
