@@ -1,0 +1,12 @@
+/* The subcommands of the command line tool. Each gets its own name as argv[0] and returns an exit code. */
+#ifndef FGL_CLI_CLI_H
+#define FGL_CLI_CLI_H
+
+/* Draws every picture of a list with FixedGL and with the reference, and compares them; or records goldens.
+ */
+int fgl_cli_diff(int argc, char **argv);
+
+/* Prints what FixedGL, OSMesa or a given library says about itself. */
+int fgl_cli_info(int argc, char **argv);
+
+#endif
