@@ -1,0 +1,176 @@
+# FixedGL. `make help` lists the targets; everything is built out of tree, in $(BUILD).
+#
+#   make diff    installs what is missing, builds, draws every example with FixedGL and with Mesa OSMesa, compares
+#   make test    installs what is missing, builds with GCC and with Clang, runs every test
+
+CC = gcc
+BUILD = build
+PREFIX = /usr/local
+DESTDIR =
+LIBDIR = $(PREFIX)/lib
+OPT = -O3
+SANITIZE =
+JOBS = $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
+VERSION = 0.1.0
+
+WARN = -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Wdouble-promotion -Wstrict-prototypes \
+       -Wmissing-prototypes -Werror
+# The picture must not depend on the compiler: no contraction to fma but where the code says so, no fast-math.
+NUMERIC = -ffp-contract=off -fno-math-errno -fno-trapping-math
+CFLAGS = -std=c11 -g $(OPT) $(NUMERIC) $(WARN) -fPIC -fvisibility=hidden -MMD -MP $(SANITIZE)
+CPPFLAGS = -Iinclude -Isrc
+POSIX = -D_POSIX_C_SOURCE=200809L
+
+# ---- libfixedgl ----
+
+CORE_LAYERS = base state framebuffer texture vertex raster fragment pipeline api osmesa
+KERNEL_SOURCES = $(wildcard $(addsuffix /kernels.c,$(addprefix src/,$(CORE_LAYERS))))
+CORE_SOURCES = $(filter-out $(KERNEL_SOURCES),$(wildcard $(addsuffix /*.c,$(addprefix src/,$(CORE_LAYERS)))))
+
+# Kernels are compiled once for each instruction set; src/base/cpu.c chooses at run time.
+ISAS := $(if $(filter x86_64 amd64,$(shell $(CC) -dumpmachine 2>/dev/null | cut -d- -f1)),sse2 avx2 avx512,base)
+FLAGS_base =
+FLAGS_sse2 =
+FLAGS_avx2 = -mavx2 -mfma
+FLAGS_avx512 = -mavx2 -mfma -mavx512f -mavx512vl -mavx512dq -mavx512bw -mprefer-vector-width=512
+
+CORE_OBJECTS = $(CORE_SOURCES:%.c=$(BUILD)/%.o) \
+               $(foreach isa,$(ISAS),$(KERNEL_SOURCES:%.c=$(BUILD)/%.$(isa).o))
+GLUT_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(wildcard src/glut/*.c))
+CLI_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(wildcard src/cli/*.c))
+
+LIB = $(BUILD)/lib
+LIBS = $(LIB)/libfixedgl.a $(LIB)/libfixedgl.so $(LIB)/libfixedglut.a $(LIB)/libfixedglut.so
+EXAMPLES = $(patsubst examples/%.c,$(BUILD)/examples/%,$(wildcard examples/*.c))
+FIXEDGL = $(BUILD)/bin/fixedgl
+RPATH = -Wl,-rpath,'$$ORIGIN/../lib'
+
+.PHONY: all libs help deps diff test check asan bench goldens vec-report identity install clean format \
+        test-programs diff-run
+
+all: $(LIBS) $(FIXEDGL) $(EXAMPLES)
+libs: $(LIBS)
+
+help:
+	@sed -n '3,4p' Makefile; echo '#   make asan | bench | goldens | vec-report | identity | install | clean | format'
+
+$(BUILD)/src/%.o: src/%.c
+	@mkdir -p $(@D)
+	$(CC) $(CPPFLAGS) $(if $(filter src/glut/% src/cli/%,$<),$(POSIX)) $(CFLAGS) -c $< -o $@
+
+define kernel_rule
+$(BUILD)/src/%.$(1).o: src/%.c
+	@mkdir -p $$(@D)
+	$$(CC) $$(CPPFLAGS) $$(CFLAGS) -DFGL_ISA=$(1) $$(FLAGS_$(1)) -c $$< -o $$@
+endef
+$(foreach isa,$(ISAS),$(eval $(call kernel_rule,$(isa))))
+
+# -Bsymbolic: beside a system libGL, our calls to our own functions stay ours.
+$(LIB)/libfixedgl.so: $(CORE_OBJECTS)
+	@mkdir -p $(@D)
+	$(CC) -shared $(SANITIZE) -Wl,-soname,libfixedgl.so.0 -Wl,-Bsymbolic $^ -lm -o $@
+	ln -sf libfixedgl.so $(LIB)/libfixedgl.so.0
+
+$(LIB)/libfixedglut.so: $(GLUT_OBJECTS) $(LIB)/libfixedgl.so
+	$(CC) -shared $(SANITIZE) -Wl,-soname,libfixedglut.so.0 $(RPATH) $(GLUT_OBJECTS) -L$(LIB) -lfixedgl -lpng -ldl -lm -o $@
+	ln -sf libfixedglut.so $(LIB)/libfixedglut.so.0
+
+$(LIB)/libfixedgl.a: $(CORE_OBJECTS)
+$(LIB)/libfixedglut.a: $(GLUT_OBJECTS)
+%.a:
+	@mkdir -p $(@D)
+	@rm -f $@
+	$(AR) rcs $@ $^
+
+$(FIXEDGL): $(CLI_OBJECTS) $(LIB)/libfixedgl.so
+	@mkdir -p $(@D)
+	$(CC) $(SANITIZE) $(CLI_OBJECTS) -L$(LIB) -lfixedgl $(RPATH) -lpng -ldl -lm -o $@
+
+$(BUILD)/examples/%: examples/%.c $(LIB)/libfixedglut.so $(LIB)/libfixedgl.so
+	@mkdir -p $(@D)
+	$(CC) -Iinclude -std=c11 -O2 $(WARN) $(SANITIZE) -MMD -MP $< -L$(LIB) -lfixedglut -lfixedgl -lGLU -lm $(RPATH) -o $@
+
+# ---- tests ----
+# tests/unit: against internals, linked with the static library. tests/api, glut, cli: through public headers.
+
+UNIT_TESTS = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/unit/*.c))
+API_TESTS = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/api/*.c tests/oracle/*.c tests/osmesa/*.c))
+GLUT_TESTS = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/glut/*.c))
+CLI_TESTS = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/cli/*.c))
+TEST_PROGRAMS = $(UNIT_TESTS) $(API_TESTS) $(GLUT_TESTS) $(CLI_TESTS)
+TEST_CFLAGS = -std=c11 -g -O2 $(NUMERIC) $(WARN) $(SANITIZE) $(POSIX) -MMD -MP -Iinclude -Isrc -Itests
+
+$(UNIT_TESTS): $(BUILD)/tests/%: tests/%.c $(LIB)/libfixedgl.a
+	@mkdir -p $(@D)
+	$(CC) $(TEST_CFLAGS) $< $(LIB)/libfixedgl.a -lcmocka -ldl -lm -lpthread -o $@
+$(API_TESTS): $(BUILD)/tests/%: tests/%.c $(LIB)/libfixedgl.so
+	@mkdir -p $(@D)
+	$(CC) $(TEST_CFLAGS) $< -L$(LIB) -lfixedgl -Wl,-rpath,'$$ORIGIN/../../lib' -lcmocka -ldl -lm -lpthread -o $@
+$(GLUT_TESTS): $(BUILD)/tests/%: tests/%.c $(LIB)/libfixedglut.a $(LIB)/libfixedgl.so
+	@mkdir -p $(@D)
+	$(CC) $(TEST_CFLAGS) $< $(LIB)/libfixedglut.a -L$(LIB) -lfixedgl -Wl,-rpath,'$$ORIGIN/../../lib' -lcmocka -lpng -ldl -lm -o $@
+$(CLI_TESTS): $(BUILD)/tests/%: tests/%.c $(filter-out %/main.o,$(CLI_OBJECTS)) $(LIB)/libfixedgl.so
+	@mkdir -p $(@D)
+	$(CC) $(TEST_CFLAGS) $< $(filter-out %/main.o,$(CLI_OBJECTS)) -L$(LIB) -lfixedgl -Wl,-rpath,'$$ORIGIN/../../lib' -lcmocka -lpng -ldl -lm -o $@
+
+test-programs: all $(TEST_PROGRAMS)
+
+# One compiler's whole run.
+check: test-programs
+	BUILD=$(BUILD) CC=$(CC) tests/run $(TEST_PROGRAMS)
+
+test: deps
+	$(MAKE) -j$(JOBS) check CC=gcc BUILD=$(BUILD)
+	$(MAKE) -j$(JOBS) check CC=clang BUILD=$(BUILD)/clang
+
+asan: deps
+	$(MAKE) -j$(JOBS) check CC=gcc BUILD=$(BUILD)/asan OPT=-O1 \
+	    SANITIZE='-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer'
+
+# ---- the main job ----
+
+diff: deps
+	$(MAKE) -j$(JOBS) all
+	$(MAKE) diff-run
+diff-run:
+	$(FIXEDGL) diff --examples $(BUILD)/examples --out $(BUILD)/diff examples/pictures.txt
+
+goldens: deps
+	$(MAKE) -j$(JOBS) all
+	$(FIXEDGL) diff --examples $(BUILD)/examples --record tests/goldens examples/pictures.txt
+
+$(BUILD)/tests/bench/bench: tests/bench/bench.c
+	@mkdir -p $(@D)
+	$(CC) -std=c11 -O2 $(WARN) $(POSIX) -Iinclude -MMD -MP $< -ldl -lm -o $@
+bench: deps
+	$(MAKE) -j$(JOBS) libs $(BUILD)/tests/bench/bench
+	$(BUILD)/tests/bench/bench $(LIB)/libfixedgl.so libOSMesa.so.8
+
+vec-report:
+	tests/tools/vec_report.sh
+
+identity: deps
+	tests/identity.sh
+
+deps:
+	@tests/tools/deps.sh
+
+install: libs $(FIXEDGL)
+	install -d $(DESTDIR)$(PREFIX)/include/GL $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(PREFIX)/bin
+	install -m 644 include/fixedgl.h $(DESTDIR)$(PREFIX)/include
+	install -m 644 include/GL/*.h $(DESTDIR)$(PREFIX)/include/GL
+	install -m 644 $(LIB)/libfixedgl.a $(LIB)/libfixedglut.a $(DESTDIR)$(LIBDIR)
+	for l in fixedgl fixedglut; do \
+	    install -m 755 $(LIB)/lib$$l.so $(DESTDIR)$(LIBDIR)/lib$$l.so.0 && \
+	    ln -sf lib$$l.so.0 $(DESTDIR)$(LIBDIR)/lib$$l.so && \
+	    sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@LIBDIR@|$(LIBDIR)|' -e 's|@VERSION@|$(VERSION)|' src/$$l.pc.in \
+	        > $(DESTDIR)$(LIBDIR)/pkgconfig/$$l.pc || exit 1; done
+	install -m 755 $(FIXEDGL) $(DESTDIR)$(PREFIX)/bin
+
+format:
+	clang-format -i $(shell git ls-files '*.c' '*.h')
+
+clean:
+	rm -rf $(BUILD)
+
+-include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

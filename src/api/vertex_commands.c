@@ -1,0 +1,140 @@
+/* glVertex, glNormal, glColor, glIndex, glTexCoord, glEdgeFlag and glRect in all their forms (GL 1.5, 2.7 "Vertex Specification", 2.10
+ * "Rectangles"): conversions of table 2.9 in OSMesa's arithmetic, then the vertex store. They may be called inside and outside Begin/End. */
+#include "api/errors.h"
+#include "api/immediate.h"
+#include "api/list.h"
+
+/* Table 2.9 "Component conversions": signed c to (2c + 1) / (2^b - 1), unsigned c to c / (2^b - 1). */
+static inline float norm_b(GLbyte c) { return (2.0f * (float)c + 1.0f) * (1.0f / 255.0f); }
+static inline float norm_s(GLshort c) { return (2.0f * (float)c + 1.0f) * (1.0f / 65535.0f); }
+static inline float norm_i(GLint c) { return (float)((2.0 * (double)c + 1.0) * (1.0 / 4294967295.0)); }
+static inline float norm_ub(GLubyte c) { return (float)c / 255.0f; }
+static inline float norm_us(GLushort c) { return (float)c / 65535.0f; }
+static inline float norm_ui(GLuint c) { return (float)((double)c * (1.0 / 4294967295.0)); }
+static inline float plain_f(GLfloat c) { return c; }
+static inline float plain_d(GLdouble c) { return (float)c; }
+static inline float plain_i(GLint c) { return (float)c; }
+static inline float plain_s(GLshort c) { return (float)c; }
+static inline float plain_ub(GLubyte c) { return (float)c; }
+
+/* The common case of fgl_vertex: the format has a position of this size. */
+static FGL_ALWAYS_INLINE void vertex(const int size, float x, float y, float z, float w)
+{
+    struct context *ctx = fgl_current;
+    if (FGL_UNLIKELY(!ctx))
+        return;
+    struct immediate *im = ctx->vertices;
+    const float v[4] = {x, y, z, w};
+    if (FGL_UNLIKELY(im->format.size[ATTR_POSITION] != size || im->mode > GL_POLYGON || im->count + 1 >= im->max_count)) {
+        fgl_vertex(ctx, size, v);
+        return;
+    }
+    float *to = im->next;
+    const int before = im->format.before_position;
+    for (int i = 0; i < before; i++)
+        to[i] = im->vertex[i];
+    for (int i = 0; i < size; i++)
+        to[before + i] = v[i];
+    im->next = to + before + size;
+    im->count++;
+}
+
+/* The common case of fgl_attr_set. */
+static FGL_ALWAYS_INLINE void attribute(const enum fgl_attr attr, const int size, float x, float y, float z, float w)
+{
+    struct context *ctx = fgl_current;
+    if (FGL_UNLIKELY(!ctx))
+        return;
+    struct immediate *im = ctx->vertices;
+    const float v[4] = {x, y, z, w};
+    if (FGL_UNLIKELY(im->format.size[attr] != size || im->mode > GL_POLYGON)) {
+        fgl_attr_set(ctx, attr, size, v);
+        return;
+    }
+    float *to = im->vertex + im->format.offset[attr];
+    for (int i = 0; i < size; i++)
+        to[i] = v[i];
+}
+
+#define VERTEX(T, s, f)                                                                                      \
+    void GLAPIENTRY glVertex2##s(T x, T y) { vertex(2, f(x), f(y), 0, 1); }                                  \
+    void GLAPIENTRY glVertex3##s(T x, T y, T z) { vertex(3, f(x), f(y), f(z), 1); }                          \
+    void GLAPIENTRY glVertex4##s(T x, T y, T z, T w) { vertex(4, f(x), f(y), f(z), f(w)); }                  \
+    void GLAPIENTRY glVertex2##s##v(const T *v) { vertex(2, f(v[0]), f(v[1]), 0, 1); }                       \
+    void GLAPIENTRY glVertex3##s##v(const T *v) { vertex(3, f(v[0]), f(v[1]), f(v[2]), 1); }                 \
+    void GLAPIENTRY glVertex4##s##v(const T *v) { vertex(4, f(v[0]), f(v[1]), f(v[2]), f(v[3])); }
+VERTEX(GLfloat, f, plain_f)
+VERTEX(GLdouble, d, plain_d)
+VERTEX(GLint, i, plain_i)
+VERTEX(GLshort, s, plain_s)
+
+#define NORMAL(T, s, f)                                                                                      \
+    void GLAPIENTRY glNormal3##s(T x, T y, T z) { attribute(ATTR_NORMAL, 3, f(x), f(y), f(z), 1); }          \
+    void GLAPIENTRY glNormal3##s##v(const T *v) { attribute(ATTR_NORMAL, 3, f(v[0]), f(v[1]), f(v[2]), 1); }
+NORMAL(GLbyte, b, norm_b)
+NORMAL(GLshort, s, norm_s)
+NORMAL(GLint, i, norm_i)
+NORMAL(GLfloat, f, plain_f)
+NORMAL(GLdouble, d, plain_d)
+
+#define COLOR(T, s, f)                                                                                       \
+    void GLAPIENTRY glColor3##s(T r, T g, T b) { attribute(ATTR_COLOR, 3, f(r), f(g), f(b), 1); }            \
+    void GLAPIENTRY glColor4##s(T r, T g, T b, T a) { attribute(ATTR_COLOR, 4, f(r), f(g), f(b), f(a)); }    \
+    void GLAPIENTRY glColor3##s##v(const T *v) { attribute(ATTR_COLOR, 3, f(v[0]), f(v[1]), f(v[2]), 1); }   \
+    void GLAPIENTRY glColor4##s##v(const T *v) { attribute(ATTR_COLOR, 4, f(v[0]), f(v[1]), f(v[2]), f(v[3])); }
+COLOR(GLbyte, b, norm_b)
+COLOR(GLshort, s, norm_s)
+COLOR(GLint, i, norm_i)
+COLOR(GLubyte, ub, norm_ub)
+COLOR(GLushort, us, norm_us)
+COLOR(GLuint, ui, norm_ui)
+COLOR(GLfloat, f, plain_f)
+COLOR(GLdouble, d, plain_d)
+
+#define INDEX(T, s, f)                                                                                       \
+    void GLAPIENTRY glIndex##s(T c) { attribute(ATTR_INDEX, 1, f(c), 0, 0, 1); }                             \
+    void GLAPIENTRY glIndex##s##v(const T *c) { attribute(ATTR_INDEX, 1, f(*c), 0, 0, 1); }
+INDEX(GLfloat, f, plain_f)
+INDEX(GLdouble, d, plain_d)
+INDEX(GLint, i, plain_i)
+INDEX(GLshort, s, plain_s)
+INDEX(GLubyte, ub, plain_ub)
+
+void GLAPIENTRY glEdgeFlag(GLboolean flag) { attribute(ATTR_EDGE_FLAG, 1, flag ? 1.0f : 0.0f, 0, 0, 1); }
+void GLAPIENTRY glEdgeFlagv(const GLboolean *flag) { glEdgeFlag(*flag); }
+
+#define TEXCOORD(T, s, f)                                                                                    \
+    void GLAPIENTRY glTexCoord1##s(T u) { attribute(ATTR_TEX0, 1, f(u), 0, 0, 1); }                          \
+    void GLAPIENTRY glTexCoord2##s(T u, T v) { attribute(ATTR_TEX0, 2, f(u), f(v), 0, 1); }                  \
+    void GLAPIENTRY glTexCoord3##s(T u, T v, T r) { attribute(ATTR_TEX0, 3, f(u), f(v), f(r), 1); }          \
+    void GLAPIENTRY glTexCoord4##s(T u, T v, T r, T q) { attribute(ATTR_TEX0, 4, f(u), f(v), f(r), f(q)); }  \
+    void GLAPIENTRY glTexCoord1##s##v(const T *v) { attribute(ATTR_TEX0, 1, f(v[0]), 0, 0, 1); }             \
+    void GLAPIENTRY glTexCoord2##s##v(const T *v) { attribute(ATTR_TEX0, 2, f(v[0]), f(v[1]), 0, 1); }       \
+    void GLAPIENTRY glTexCoord3##s##v(const T *v) { attribute(ATTR_TEX0, 3, f(v[0]), f(v[1]), f(v[2]), 1); } \
+    void GLAPIENTRY glTexCoord4##s##v(const T *v) { attribute(ATTR_TEX0, 4, f(v[0]), f(v[1]), f(v[2]), f(v[3])); }
+TEXCOORD(GLfloat, f, plain_f)
+TEXCOORD(GLdouble, d, plain_d)
+TEXCOORD(GLint, i, plain_i)
+TEXCOORD(GLshort, s, plain_s)
+
+/* GL 1.5, 2.10: a polygon of four vertices, counter-clockwise when the second corner is right of and above the first. */
+static void rect(float x1, float y1, float x2, float y2)
+{
+    struct context *ctx = fgl_current;
+    if (!ctx)
+        return;
+    RETURN_ERROR_IF(ctx, ctx->vertices->mode <= GL_POLYGON, GL_INVALID_OPERATION);
+    fgl_begin(ctx, GL_QUADS);
+    const float corner[4][2] = {{x1, y1}, {x2, y1}, {x2, y2}, {x1, y2}};
+    for (int i = 0; i < 4; i++)
+        fgl_vertex(ctx, 2, corner[i]);
+    fgl_end(ctx);
+}
+
+#define RECT(T, s, f)                                                                                        \
+    void GLAPIENTRY glRect##s(T x1, T y1, T x2, T y2) { rect(f(x1), f(y1), f(x2), f(y2)); }                  \
+    void GLAPIENTRY glRect##s##v(const T *v1, const T *v2) { rect(f(v1[0]), f(v1[1]), f(v2[0]), f(v2[1])); }
+RECT(GLfloat, f, plain_f)
+RECT(GLdouble, d, plain_d)
+RECT(GLint, i, plain_i)
+RECT(GLshort, s, plain_s)

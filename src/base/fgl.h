@@ -1,0 +1,34 @@
+/* What every file of FixedGL may rely on: the portable names of compiler features, and small integer helpers.
+ * Layer 0: the C library only. */
+#ifndef FGL_BASE_FGL_H
+#define FGL_BASE_FGL_H
+
+#include <assert.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(__GNUC__)
+#define FGL_ALWAYS_INLINE inline __attribute__((always_inline))
+#define FGL_NOINLINE __attribute__((noinline))
+#define FGL_LIKELY(x) __builtin_expect(!!(x), 1)
+#define FGL_UNLIKELY(x) __builtin_expect(!!(x), 0)
+#define FGL_RESTRICT __restrict__
+#define FGL_TLS_FAST __attribute__((tls_model("initial-exec")))
+#else
+#define FGL_ALWAYS_INLINE inline
+#define FGL_NOINLINE
+#define FGL_LIKELY(x) (x)
+#define FGL_UNLIKELY(x) (x)
+#define FGL_RESTRICT restrict
+#define FGL_TLS_FAST
+#endif
+
+#define FGL_COUNTOF(a) (sizeof(a) / sizeof((a)[0]))
+
+static inline int fgl_min(int a, int b) { return a < b ? a : b; }
+static inline int fgl_max(int a, int b) { return a > b ? a : b; }
+static inline int fgl_clamp(int v, int lo, int hi) { return fgl_max(lo, fgl_min(v, hi)); }
+static inline float fgl_clamp01(float v) { return v > 0.0f ? (v < 1.0f ? v : 1.0f) : 0.0f; } /* NaN -> 0 */
+
+#endif

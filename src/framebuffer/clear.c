@@ -1,0 +1,88 @@
+/* Clearing (GL 1.5, 4.2.3 "Clearing the Buffers"). */
+#include "framebuffer/framebuffer.h"
+
+#include <string.h>
+
+static void fill32(uint32_t *p, int n, uint32_t value, uint32_t mask)
+{
+    if (mask == ~0u) {
+        for (int i = 0; i < n; i++)
+            p[i] = value;
+        return;
+    }
+    for (int i = 0; i < n; i++)
+        p[i] = (p[i] & ~mask) | (value & mask);
+}
+
+static void fill16(uint16_t *p, int n, uint16_t value, uint16_t mask)
+{
+    for (int i = 0; i < n; i++)
+        p[i] = (uint16_t)((p[i] & ~mask) | (value & mask));
+}
+
+static void clear_row_unorm16(uint16_t *p, int n, const float color[4], const bool mask[4])
+{
+    for (int c = 0; c < 4; c++) {
+        const uint16_t v = (uint16_t)fgl_unorm(color[c], 65535.0f);
+        for (int i = 0; mask[c] && i < n; i++)
+            p[4 * i + c] = v;
+    }
+}
+
+static void clear_row_float(float *p, int n, const float color[4], const bool mask[4])
+{
+    for (int c = 0; c < 4; c++)
+        for (int i = 0; mask[c] && i < n; i++)
+            p[4 * i + c] = color[c];
+}
+
+static void clear_row(struct framebuffer *fb, size_t at, int n, const float color[4], const bool mask[4])
+{
+    switch (fb->color_kind) {
+    case COLOR_UNORM8: {
+        uint32_t value = 0, bits = 0;
+        for (int c = 0; c < 4; c++) {
+            value |= fgl_unorm(color[c], 255.0f) << (8 * c);
+            bits |= mask[c] ? 255u << (8 * c) : 0;
+        }
+        fill32((uint32_t *)fb->color + at, n, value, bits);
+        break;
+    }
+    case COLOR_UNORM16: clear_row_unorm16((uint16_t *)fb->color + 4 * at, n, color, mask); break;
+    case COLOR_FLOAT: clear_row_float((float *)fb->color + 4 * at, n, color, mask); break;
+    case COLOR_565: {
+        const uint32_t value = fgl_unorm(color[0], 31.0f) << 11 | fgl_unorm(color[1], 63.0f) << 5 | fgl_unorm(color[2], 31.0f);
+        const uint32_t bits = (mask[0] ? 0xf800u : 0) | (mask[1] ? 0x07e0u : 0) | (mask[2] ? 0x001fu : 0);
+        fill16((uint16_t *)fb->color + at, n, (uint16_t)value, (uint16_t)bits);
+        break;
+    }
+    }
+}
+
+void fgl_clear_color(struct framebuffer *fb, struct rect r, const float color[4], const bool mask[4])
+{
+    for (int y = r.y0; y < r.y1; y++)
+        clear_row(fb, (size_t)y * (size_t)fb->stride + (size_t)r.x0, r.x1 - r.x0, color, mask);
+}
+
+void fgl_clear_depth(struct framebuffer *fb, struct rect r, double depth)
+{
+    if (!fb->depth)
+        return;
+    const double d = depth < 0.0 ? 0.0 : depth > 1.0 ? 1.0 : depth;
+    const uint32_t value = (uint32_t)(d * fb->depth_max + 0.5);
+    for (int y = r.y0; y < r.y1; y++)
+        fill32(fb->depth + (size_t)y * (size_t)fb->stride + (size_t)r.x0, r.x1 - r.x0, value, ~0u);
+}
+
+void fgl_clear_stencil(struct framebuffer *fb, struct rect r, int value, unsigned writemask)
+{
+    if (!fb->stencil_bits || !fgl_framebuffer_need_stencil(fb))
+        return;
+    const uint8_t v = (uint8_t)value, m = (uint8_t)writemask;
+    for (int y = r.y0; y < r.y1; y++) {
+        uint8_t *p = fb->stencil + (size_t)y * (size_t)fb->stride + r.x0;
+        for (int i = 0; i < r.x1 - r.x0; i++)
+            p[i] = (uint8_t)((p[i] & ~m) | (v & m));
+    }
+}

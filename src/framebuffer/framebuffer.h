@@ -1,0 +1,59 @@
+/* The framebuffer: colour, depth, stencil and accumulation buffers of a context (GL 1.5, chapter 4). Layer 2.
+ *
+ * Private storage, as OSMesa's: the caller's buffer changes only when it is copied out (osmesa/osmesa.c, at glFlush and glFinish).
+ * Row 0 is the top: window y runs down inside, `row = height - 1 - y_gl`. Every row is padded to a multiple of FB_ALIGN pixels and starts
+ * on 64 bytes, so that a kernel may read and write back whole aligned groups of pixels that reach over the right edge. */
+#ifndef FGL_FRAMEBUFFER_FRAMEBUFFER_H
+#define FGL_FRAMEBUFFER_FRAMEBUFFER_H
+
+#include "base/fgl.h"
+
+enum { FB_ALIGN = 64 }; /* pixels */
+
+/* How colour is stored: the precision of the caller's buffer type. */
+enum color_kind {
+    COLOR_UNORM8,  /* uint32_t a pixel: red in the low byte, then green, blue, alpha */
+    COLOR_UNORM16, /* four uint16_t a pixel: red, green, blue, alpha */
+    COLOR_FLOAT,   /* four floats a pixel, neither rounded nor clamped */
+    COLOR_565      /* uint16_t a pixel: red in the high 5 bits */
+};
+
+struct framebuffer {
+    int width, height;
+    int stride; /* pixels from a row to the next: width rounded up to FB_ALIGN */
+    enum color_kind color_kind;
+    bool has_alpha; /* false for RGB formats: alpha reads as 1 */
+    void *color;
+    uint32_t *depth;    /* 0..depth_max; NULL when the context has none */
+    uint32_t depth_max; /* 2^depth_bits - 1 */
+    int depth_bits, stencil_bits, accum_bits;
+    uint8_t *stencil;   /* NULL until first used */
+    int16_t *accum;     /* four a pixel, 32767 = 1.0; NULL until first used */
+    bool drawn;         /* something was rendered since the last copy to the caller's buffer */
+};
+
+/* All buffers zero but depth, which is depth_max. Returns false when memory is short; *fb is then unchanged. */
+bool fgl_framebuffer_resize(struct framebuffer *fb, int width, int height, enum color_kind kind);
+bool fgl_framebuffer_need_stencil(struct framebuffer *fb);
+bool fgl_framebuffer_need_accum(struct framebuffer *fb);
+void fgl_framebuffer_free(struct framebuffer *fb);
+
+struct rect {
+    int x0, y0, x1, y1; /* window pixels, y down, half open */
+};
+
+/* clear.c (GL 1.5, 4.2.3). Colour as given to glClearColor; only channels in mask. */
+void fgl_clear_color(struct framebuffer *fb, struct rect r, const float color[4], const bool mask[4]);
+void fgl_clear_depth(struct framebuffer *fb, struct rect r, double depth);
+void fgl_clear_stencil(struct framebuffer *fb, struct rect r, int value, unsigned writemask);
+
+/* Colour in [0,1] to n bits: round half to even of v * (2^n - 1); below 0 and NaN give 0. */
+static inline uint32_t fgl_unorm(float v, float max)
+{
+    const float c = v < 1.0f ? (v > 0.0f ? v : 0.0f) : (v >= 1.0f ? 1.0f : 0.0f);
+    const float magic = 8388608.0f; /* 2^23: adding it rounds to an integer, half to even */
+    const float s = c * max;
+    return max < 8388608.0f ? (uint32_t)(s + magic - magic) : (uint32_t)s;
+}
+
+#endif

@@ -1,0 +1,299 @@
+/* Sphere, cone and torus with the tessellation of freeglut 3.4: the same vertices to the last bit, in
+ * the same primitives. Every shape is a grid of vertices drawn as one triangle strip per ring. */
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <GL/glut.h>
+#include "internal.h"
+#include "shapes.h"
+
+static struct {
+    unsigned char *bytes;
+    size_t size;
+} scratch;
+
+bool fgl_shape_reserve(struct shape_mesh *mesh, size_t vertices, size_t indices, int circle_points)
+{
+    if (vertices > INT_MAX / 8 || indices > INT_MAX / 8) {
+        fgl_glut_warn("a shape of %zu vertices is too large", vertices);
+        return false;
+    }
+    size_t size = 2 * vertices * sizeof(float[3]) + indices * sizeof(GLuint) + (size_t)circle_points * sizeof(float[2]);
+    if (size > scratch.size) {
+        unsigned char *bytes = realloc(scratch.bytes, size);
+        if (!bytes) {
+            fgl_glut_warn("no memory for a shape of %zu vertices", vertices);
+            return false;
+        }
+        scratch.bytes = bytes;
+        scratch.size = size;
+    }
+    mesh->position = (float(*)[3])(void *)scratch.bytes;
+    mesh->normal = mesh->position + vertices;
+    mesh->index = (GLuint *)(void *)(mesh->normal + vertices);
+    mesh->circle = (float(*)[2])(void *)(mesh->index + indices);
+    return true;
+}
+
+void fgl_shape_begin(const float (*position)[3], const float (*normal)[3])
+{
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glEnableClientState(GL_NORMAL_ARRAY);
+    glVertexPointer(3, GL_FLOAT, 0, position);
+    glNormalPointer(GL_FLOAT, 0, normal);
+}
+
+void fgl_shape_end(void)
+{
+    glDisableClientState(GL_VERTEX_ARRAY);
+    glDisableClientState(GL_NORMAL_ARRAY);
+}
+
+void fgl_shape_draw_elements(GLenum mode, const GLuint *index, int count, int length)
+{
+    for (int i = 0; i < count; i++)
+        glDrawElements(mode, length, GL_UNSIGNED_INT, index + (size_t)i * (size_t)length);
+}
+
+static void set_vector(float out[3], float x, float y, float z)
+{
+    out[0] = x;
+    out[1] = y;
+    out[2] = z;
+}
+
+/* n points of a circle, in float throughout, as the tessellation asks. */
+static void make_circle(float (*circle)[2], int n, float step)
+{
+    circle[0][0] = 1;
+    circle[0][1] = 0; /* +0 for either direction */
+    for (int i = 1; i < n; i++) {
+        circle[i][0] = (float)cos(step * (float)i);
+        circle[i][1] = (float)sin(step * (float)i);
+    }
+}
+
+static const float PI = 3.14159265358979323846f;
+
+/* Strips between two rings of n vertices that start at `upper` and `lower`; closed by repeating the start. */
+static GLuint *put_ring_strip(GLuint *out, GLuint first, GLuint second, int n)
+{
+    for (int j = 0; j <= n; j++) {
+        GLuint step = (GLuint)(j == n ? 0 : j);
+        *out++ = first + step;
+        *out++ = second + step;
+    }
+    return out;
+}
+
+/* Strip between a ring and a pole, or a pole and a ring. */
+static GLuint *put_cap_strip(GLuint *out, GLuint ring, GLuint pole, int n, bool pole_first)
+{
+    for (int j = 0; j <= n; j++) {
+        GLuint on_ring = ring + (GLuint)(j == n ? 0 : j);
+        *out++ = pole_first ? pole : on_ring;
+        *out++ = pole_first ? on_ring : pole;
+    }
+    return out;
+}
+
+/* ---- sphere: pole, stacks - 1 rings of `slices` vertices from +z to -z, pole ---- */
+
+static bool make_sphere(struct shape_mesh *m, float radius, int slices, int stacks)
+{
+    if (slices < 1 || stacks < 2)
+        return false;
+    size_t vertices = (size_t)slices * (size_t)(stacks - 1) + 2;
+    size_t indices = 2 * ((size_t)slices + 1) * (size_t)stacks + vertices;
+    if (!fgl_shape_reserve(m, vertices, indices, slices))
+        return false;
+    make_circle(m->circle, slices, -2 * PI / (float)slices);
+    size_t v = 0;
+    set_vector(m->position[v], 0, 0, radius);
+    set_vector(m->normal[v++], 0, 0, 1);
+    for (int i = 1; i < stacks; i++) {
+        float angle = PI / (float)stacks * (float)i;
+        float z = (float)cos(angle), r = (float)sin(angle);
+        for (int j = 0; j < slices; j++, v++) {
+            float c = m->circle[j][0], s = m->circle[j][1];
+            set_vector(m->normal[v], c * r, s * r, z);
+            set_vector(m->position[v], c * r * radius, s * r * radius, z * radius);
+        }
+    }
+    set_vector(m->position[v], 0, 0, -radius);
+    set_vector(m->normal[v], 0, 0, -1);
+    return true;
+}
+
+void glutSolidSphere(double radius, GLint slices, GLint stacks)
+{
+    struct shape_mesh m;
+    fgl_glut_require_init("glutSolidSphere");
+    if (!make_sphere(&m, (float)radius, slices, stacks))
+        return;
+    GLuint last = (GLuint)slices * (GLuint)(stacks - 1) + 1;
+    GLuint *out = put_cap_strip(m.index, 1, 0, slices, false);
+    for (int i = 1; i < stacks - 1; i++) {
+        GLuint ring = 1 + (GLuint)(i - 1) * (GLuint)slices;
+        out = put_ring_strip(out, ring + (GLuint)slices, ring, slices);
+    }
+    put_cap_strip(out, last - (GLuint)slices, last, slices, true);
+    fgl_shape_begin(m.position, m.normal);
+    fgl_shape_draw_elements(GL_TRIANGLE_STRIP, m.index, stacks, 2 * (slices + 1));
+    fgl_shape_end();
+}
+
+void glutWireSphere(double radius, GLint slices, GLint stacks)
+{
+    struct shape_mesh m;
+    fgl_glut_require_init("glutWireSphere");
+    if (!make_sphere(&m, (float)radius, slices, stacks))
+        return;
+    GLuint *meridian = m.index, *parallel = m.index + (size_t)slices * ((size_t)stacks + 1);
+    GLuint last = (GLuint)slices * (GLuint)(stacks - 1) + 1;
+    GLuint *out = meridian;
+    for (int j = 0; j < slices; j++) {
+        *out++ = 0;
+        for (int i = 1; i < stacks; i++)
+            *out++ = 1 + (GLuint)(i - 1) * (GLuint)slices + (GLuint)j;
+        *out++ = last;
+    }
+    for (GLuint i = 1; i < last; i++)
+        *out++ = i;
+    fgl_shape_begin(m.position, m.normal);
+    fgl_shape_draw_elements(GL_LINE_STRIP, meridian, slices, stacks + 1);
+    fgl_shape_draw_elements(GL_LINE_LOOP, parallel, stacks - 1, slices);
+    fgl_shape_end();
+}
+
+/* ---- cone: base centre, base ring facing -z, then stacks + 1 rings up to the apex ---- */
+
+static bool make_cone(struct shape_mesh *m, float base, float height, int slices, int stacks)
+{
+    if (slices < 1 || stacks < 1)
+        return false;
+    size_t vertices = (size_t)slices * ((size_t)stacks + 2) + 1;
+    size_t indices = 2 * ((size_t)slices + 1) * ((size_t)stacks + 1) + 2 * (size_t)slices;
+    if (!fgl_shape_reserve(m, vertices, indices, slices))
+        return false;
+    make_circle(m->circle, slices, -2 * PI / (float)slices);
+    float slant = sqrtf(height * height + base * base);
+    float normal_xy = height / slant, normal_z = base / slant;
+    float z_step = height / (float)stacks, r_step = base / (float)stacks;
+    float z = 0, r = base;
+    size_t v = 0;
+    set_vector(m->position[v], 0, 0, 0);
+    set_vector(m->normal[v++], 0, 0, -1);
+    for (int i = -1; i <= stacks; i++) {
+        for (int j = 0; j < slices; j++, v++) {
+            float c = m->circle[j][0], s = m->circle[j][1];
+            set_vector(m->position[v], c * r, s * r, z);
+            if (i < 0)
+                set_vector(m->normal[v], 0, 0, -1);
+            else
+                set_vector(m->normal[v], c * normal_xy, s * normal_xy, normal_z);
+        }
+        if (i >= 0) {
+            z += z_step;
+            r -= r_step;
+        }
+    }
+    return true;
+}
+
+void glutSolidCone(double base, double height, GLint slices, GLint stacks)
+{
+    struct shape_mesh m;
+    fgl_glut_require_init("glutSolidCone");
+    if (!make_cone(&m, (float)base, (float)height, slices, stacks))
+        return;
+    GLuint *out = put_cap_strip(m.index, 1, 0, slices, true);
+    for (int i = 1; i <= stacks; i++) {
+        GLuint ring = 1 + (GLuint)i * (GLuint)slices;
+        out = put_ring_strip(out, ring, ring + (GLuint)slices, slices);
+    }
+    fgl_shape_begin(m.position, m.normal);
+    fgl_shape_draw_elements(GL_TRIANGLE_STRIP, m.index, stacks + 1, 2 * (slices + 1));
+    fgl_shape_end();
+}
+
+void glutWireCone(double base, double height, GLint slices, GLint stacks)
+{
+    struct shape_mesh m;
+    fgl_glut_require_init("glutWireCone");
+    if (!make_cone(&m, (float)base, (float)height, slices, stacks))
+        return;
+    GLuint n = (GLuint)slices;
+    GLuint *side = m.index, *ring = m.index + 2 * n;
+    for (GLuint j = 0; j < n; j++) {
+        side[2 * j] = 1 + n + j;
+        side[2 * j + 1] = 1 + n * ((GLuint)stacks + 1) + j;
+    }
+    for (GLuint i = 0; i < n * (GLuint)stacks; i++)
+        ring[i] = 1 + n + i;
+    fgl_shape_begin(m.position, m.normal);
+    fgl_shape_draw_elements(GL_LINES, side, 1, 2 * slices);
+    fgl_shape_draw_elements(GL_LINE_LOOP, ring, stacks, slices);
+    fgl_shape_end();
+}
+
+/* ---- torus: `rings` circles of `sides` vertices, around the z axis ---- */
+
+static bool make_torus(struct shape_mesh *m, float inner, float outer, int sides, int rings)
+{
+    if (sides < 2 || rings < 2)
+        return false;
+    size_t vertices = (size_t)sides * (size_t)rings;
+    if (!fgl_shape_reserve(m, vertices, 2 * ((size_t)rings + 1) * (size_t)sides, sides))
+        return false;
+    make_circle(m->circle, sides, -2 * PI / (float)sides);
+    size_t v = 0;
+    for (int j = 0; j < rings; j++) {
+        float angle = 2 * PI / (float)rings * (float)j;
+        float c_ring = (float)cos(angle), s_ring = (float)sin(angle);
+        for (int i = 0; i < sides; i++, v++) {
+            float c = m->circle[i][0], s = m->circle[i][1];
+            float r = outer + c * inner;
+            set_vector(m->position[v], c_ring * r, s_ring * r, s * inner);
+            set_vector(m->normal[v], c_ring * c, s_ring * c, s);
+        }
+    }
+    return true;
+}
+
+void glutSolidTorus(double inner, double outer, GLint sides, GLint rings)
+{
+    struct shape_mesh m;
+    fgl_glut_require_init("glutSolidTorus");
+    if (!make_torus(&m, (float)inner, (float)outer, sides, rings))
+        return;
+    GLuint *out = m.index;
+    for (int i = 0; i < sides; i++)
+        for (int j = 0; j <= rings; j++) {
+            GLuint ring = (GLuint)(j % rings) * (GLuint)sides;
+            *out++ = ring + (GLuint)i;
+            *out++ = ring + (GLuint)((i + 1) % sides);
+        }
+    fgl_shape_begin(m.position, m.normal);
+    fgl_shape_draw_elements(GL_TRIANGLE_STRIP, m.index, sides, 2 * (rings + 1));
+    fgl_shape_end();
+}
+
+void glutWireTorus(double inner, double outer, GLint sides, GLint rings)
+{
+    struct shape_mesh m;
+    fgl_glut_require_init("glutWireTorus");
+    if (!make_torus(&m, (float)inner, (float)outer, sides, rings))
+        return;
+    GLuint n = (GLuint)sides * (GLuint)rings, *out = m.index;
+    for (GLuint i = 0; i < n; i++)
+        *out++ = i;
+    for (int i = 0; i < sides; i++)
+        for (int j = 0; j < rings; j++)
+            *out++ = (GLuint)j * (GLuint)sides + (GLuint)i;
+    fgl_shape_begin(m.position, m.normal);
+    fgl_shape_draw_elements(GL_LINE_LOOP, m.index, rings, sides);
+    fgl_shape_draw_elements(GL_LINE_LOOP, m.index + n, sides, rings);
+    fgl_shape_end();
+}

@@ -1,0 +1,181 @@
+/* Primitive assembly (GL 1.5, 2.6.1 "Begin and End Objects"): the ten primitives as points, lines and triangles.
+ *
+ * The last vertex of a triangle, as passed on here, is the provoking one (table 2.12). Which diagonal splits a quad, and where a
+ * triangle's vertices begin, decide last bits of its interpolation, so OSMesa's orders are kept. Edge numbers: bit i of `edges` is the
+ * edge from the triangle's vertex i to the next; only edges of the primitive itself are boundaries (2.6.2 "Polygon Edges"). */
+#include "pipeline/pipeline.h"
+
+struct assembly {
+    struct pipeline *p;
+    const uint32_t *elements;
+    int first;
+    uint32_t base;
+};
+
+static inline uint32_t number(const struct assembly *a, int i)
+{
+    const uint32_t n = (uint32_t)(a->first + i);
+    return (a->elements ? a->elements[n] : n) - a->base;
+}
+
+static inline const float *record(const struct pipeline *p, uint32_t v)
+{
+    return p->cache.record + (size_t)v * (size_t)p->plan.emit.stride;
+}
+
+static FGL_NOINLINE void clipped_triangle(struct pipeline *p, uint32_t a, uint32_t b, uint32_t c, unsigned edges)
+{
+    const struct vertex_cache *v = &p->cache;
+    const struct clip_vertices in = {
+        .record = {record(p, a), record(p, b), record(p, c)},
+        .clip = {v->clip[a], v->clip[b], v->clip[c]},
+        .provoking = record(p, c),
+        .outcode = v->outcode[a] | v->outcode[b] | v->outcode[c],
+        .edges = edges,
+    };
+    fgl_clip_triangle(p, &in);
+}
+
+static inline void triangle(const struct assembly *as, int i0, int i1, int i2, unsigned edges)
+{
+    struct pipeline *p = as->p;
+    const uint32_t a = number(as, i0), b = number(as, i1), c = number(as, i2);
+    const uint32_t *out = p->cache.outcode;
+    if (FGL_LIKELY((out[a] | out[b] | out[c]) == 0)) {
+        const float *va = record(p, a), *vb = record(p, b), *vc = record(p, c);
+        if (FGL_LIKELY(p->plan.polygon_fill))
+            fgl_raster_triangle(&p->plan.raster, va, vb, vc, vc);
+        else
+            fgl_raster_polygon_mode(&p->plan.raster, va, vb, vc, vc, edges);
+    } else if ((out[a] & out[b] & out[c]) == 0) {
+        clipped_triangle(p, a, b, c, edges);
+    }
+}
+
+static void line(const struct assembly *as, int i0, int i1, int *stipple_counter)
+{
+    struct pipeline *p = as->p;
+    const uint32_t a = number(as, i0), b = number(as, i1);
+    const struct vertex_cache *v = &p->cache;
+    const float *va = record(p, a), *vb = record(p, b);
+    if ((v->outcode[a] | v->outcode[b]) == 0) {
+        fgl_raster_line(&p->plan.raster, va, vb, vb, stipple_counter);
+    } else if ((v->outcode[a] & v->outcode[b]) == 0) {
+        const struct clip_vertices in = {.record = {va, vb},
+                                         .clip = {v->clip[a], v->clip[b]},
+                                         .provoking = vb,
+                                         .outcode = v->outcode[a] | v->outcode[b]};
+        fgl_clip_line(p, &in, stipple_counter);
+    }
+}
+
+/* The edge flag of vertex i as bit `bit`. */
+static inline unsigned edge(const struct assembly *as, int i, int bit)
+{
+    return as->p->plan.polygon_fill ? 0 : (as->p->cache.edge_flag[number(as, i)] != 0.0f ? 1u << bit : 0);
+}
+
+static void points(const struct assembly *as, int n)
+{
+    struct pipeline *p = as->p;
+    for (int i = 0; i < n; i++) {
+        const uint32_t v = number(as, i);
+        if (p->cache.outcode[v] == 0)
+            fgl_raster_point(&p->plan.raster, record(p, v), p->plan.raster.point_size);
+    }
+}
+
+static void lines(const struct assembly *as, GLenum mode, int n)
+{
+    int counter = 0; /* of line stipple: goes on along strips and loops, starts anew for each of GL_LINES (3.4.2 "Line Stipple") */
+    if (mode == GL_LINES) {
+        for (int i = 0; i + 1 < n; i += 2, counter = 0)
+            line(as, i, i + 1, &counter);
+        return;
+    }
+    for (int i = 0; i + 1 < n; i++)
+        line(as, i, i + 1, &counter);
+    if (mode == GL_LINE_LOOP && n > 1)
+        line(as, n - 1, 0, &counter);
+}
+
+static void triangles(const struct assembly *as, int n)
+{
+    for (int i = 0; i + 2 < n; i += 3)
+        triangle(as, i, i + 1, i + 2, edge(as, i, 0) | edge(as, i + 1, 1) | edge(as, i + 2, 2));
+}
+
+static void triangle_strip(const struct assembly *as, int n)
+{
+    for (int i = 0; i + 2 < n; i++)
+        triangle(as, i + (i & 1), i + 1 - (i & 1), i + 2, 7);
+}
+
+static void triangle_fan(const struct assembly *as, int n)
+{
+    for (int i = 2; i < n; i++)
+        triangle(as, 0, i - 1, i, 7);
+}
+
+static void polygon(const struct assembly *as, int n)
+{
+    for (int i = 2; i < n; i++)
+        triangle(as, i - 1, i, 0, edge(as, i - 1, 0) | (i == n - 1 ? edge(as, i, 1) : 0) | (i == 2 ? edge(as, 0, 2) : 0));
+}
+
+static void quad_strip(const struct assembly *as, int n)
+{
+    for (int i = 0; i + 3 < n; i += 2) {
+        triangle(as, i, i + 1, i + 3, 1 | 2);
+        triangle(as, i + 2, i, i + 3, 1 | 4);
+    }
+}
+
+static void quad_by_first_diagonal(const struct assembly *as, int i)
+{
+    triangle(as, i, i + 1, i + 2, 0);
+    triangle(as, i, i + 2, i + 3, 0);
+}
+
+static void quad_by_second_diagonal(const struct assembly *as, int i)
+{
+    triangle(as, i, i + 1, i + 3, edge(as, i, 0) | edge(as, i + 3, 2));
+    triangle(as, i + 1, i + 2, i + 3, edge(as, i + 1, 0) | edge(as, i + 2, 1));
+}
+
+/* OSMesa rule: a quad's diagonal is from its first vertex when the draw is smooth, filled, neither indexed nor from a display list, and none of
+ * the vertices of its segment, 1024 of them, lies outside the volume; else from its second. */
+static void quads(const struct assembly *as, int n, bool compiled)
+{
+    const struct pipeline *p = as->p;
+    const bool simple = p->plan.polygon_fill && !p->plan.raster.flat && !as->elements && !compiled;
+    for (int start = 0; start + 3 < n; start += FGL_BATCH_SIZE) {
+        const int end = fgl_min(n, start + FGL_BATCH_SIZE);
+        uint32_t outside = 0;
+        for (int i = start; simple && i < end; i++)
+            outside |= p->cache.outcode[number(as, i)];
+        for (int i = start; i + 3 < end; i += 4) {
+            if (simple && !outside)
+                quad_by_first_diagonal(as, i);
+            else
+                quad_by_second_diagonal(as, i);
+        }
+    }
+}
+
+void fgl_assemble(struct pipeline *p, const struct draw_prim *prim, const uint32_t *elements, uint32_t base, bool compiled)
+{
+    const struct assembly as = {p, elements, prim->first, base};
+    const int n = prim->count;
+    switch (prim->mode) {
+    case GL_POINTS: points(&as, n); break;
+    case GL_LINES: case GL_LINE_STRIP: case GL_LINE_LOOP: lines(&as, prim->mode, n); break;
+    case GL_TRIANGLES: triangles(&as, n); break;
+    case GL_TRIANGLE_STRIP: triangle_strip(&as, n); break;
+    case GL_TRIANGLE_FAN: triangle_fan(&as, n); break;
+    case GL_QUADS: quads(&as, n, compiled); break;
+    case GL_QUAD_STRIP: quad_strip(&as, n); break;
+    case GL_POLYGON: polygon(&as, n); break;
+    default: break;
+    }
+}

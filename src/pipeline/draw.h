@@ -1,0 +1,32 @@
+/* Drawing: from arrays of vertices to the rasterizer (GL 1.5, 2.6 "Begin/End Paradigm", 2.8 "Vertex Arrays"). Layer 4.
+ * Immediate mode, vertex arrays and display lists all arrive here, as arrays. */
+#ifndef FGL_PIPELINE_DRAW_H
+#define FGL_PIPELINE_DRAW_H
+
+#include "state/context.h"
+
+/* Where one attribute's values lie. */
+struct attr_source {
+    const void *pointer;
+    GLenum type;
+    int size;   /* components */
+    int stride; /* bytes, never 0 */
+};
+
+struct vertex_source {
+    uint32_t varying; /* bit a: attr[a] is an array; the others are current values */
+    struct attr_source attr[ATTR_COUNT];
+    bool compiled; /* from a display list */
+};
+
+/* One primitive: vertices first .. first+count of the source, or of the elements. */
+struct draw_prim {
+    GLenum mode;
+    int first, count;
+};
+
+/* Draws n primitives. elements: NULL, or vertex numbers, all within min_index..max_index. */
+void fgl_draw(struct context *ctx, const struct vertex_source *source, const struct draw_prim *prims, int n,
+              const uint32_t *elements, uint32_t min_index, uint32_t max_index);
+
+#endif

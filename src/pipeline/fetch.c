@@ -1,0 +1,84 @@
+/* Fetching: the arrays that a draw names, as the floats of a batch (GL 1.5, 2.8 "Vertex Arrays"; conversions of table 2.9).
+ * OSMesa rule: unsigned bytes of colours become v * (1/255), other unsigned types and glColor's are divided. */
+#include "pipeline/pipeline.h"
+
+#include <string.h>
+
+/* Attributes whose integers are fractions of the type's range. */
+static bool is_normalized(int attr)
+{
+    return attr == ATTR_COLOR || attr == ATTR_SECONDARY_COLOR || attr == ATTR_NORMAL;
+}
+
+static inline float snorm(double v, double max)
+{
+    const double f = v / max;
+    return (float)(f < -1.0 ? -1.0 : f);
+}
+
+#define FETCH(name, T, normalized, plain)                                                                    \
+    static void fetch_##name(float *FGL_RESTRICT to, const char *from, ptrdiff_t stride, int n, bool norm)   \
+    {                                                                                                        \
+        for (int i = 0; i < n; i++) {                                                                        \
+            T v;                                                                                             \
+            memcpy(&v, from + i * stride, sizeof v);                                                         \
+            to[i] = norm ? (normalized) : (plain);                                                           \
+        }                                                                                                    \
+    }
+FETCH(ubyte, GLubyte, (float)v * (1.0f / 255.0f), (float)v)
+FETCH(byte, GLbyte, snorm(v, 127.0), (float)v)
+FETCH(ushort, GLushort, (float)v / 65535.0f, (float)v)
+FETCH(short, GLshort, snorm(v, 32767.0), (float)v)
+FETCH(uint, GLuint, (float)((double)v / 4294967295.0), (float)v)
+FETCH(int, GLint, snorm(v, 2147483647.0), (float)v)
+FETCH(double, GLdouble, (float)v, (float)v)
+
+static void fetch_float(float *FGL_RESTRICT to, const char *from, ptrdiff_t stride, int n)
+{
+    for (int i = 0; i < n; i++)
+        memcpy(&to[i], from + i * stride, sizeof(float));
+}
+
+static int component_bytes(GLenum type)
+{
+    switch (type) {
+    case GL_BYTE: case GL_UNSIGNED_BYTE: return 1;
+    case GL_SHORT: case GL_UNSIGNED_SHORT: return 2;
+    case GL_DOUBLE: return 8;
+    default: return 4;
+    }
+}
+
+static void fetch_component(float *to, const char *from, const struct attr_source *a, int n, bool norm)
+{
+    switch (a->type) {
+    case GL_FLOAT: fetch_float(to, from, a->stride, n); break;
+    case GL_DOUBLE: fetch_double(to, from, a->stride, n, norm); break;
+    case GL_UNSIGNED_BYTE: fetch_ubyte(to, from, a->stride, n, norm); break;
+    case GL_BYTE: fetch_byte(to, from, a->stride, n, norm); break;
+    case GL_UNSIGNED_SHORT: fetch_ushort(to, from, a->stride, n, norm); break;
+    case GL_SHORT: fetch_short(to, from, a->stride, n, norm); break;
+    case GL_UNSIGNED_INT: fetch_uint(to, from, a->stride, n, norm); break;
+    default: fetch_int(to, from, a->stride, n, norm); break;
+    }
+}
+
+void fgl_fetch(struct vertex_batch *batch, const struct vertex_source *source, uint32_t attributes, uint32_t first, int n)
+{
+    batch->n = n;
+    batch->varying = source->varying & attributes;
+    for (int attr = 0; attr < ATTR_COUNT; attr++) {
+        if (!(batch->varying & (1u << attr)))
+            continue;
+        const struct attr_source *a = &source->attr[attr];
+        const char *from = (const char *)a->pointer + (size_t)first * (size_t)a->stride;
+        for (int c = 0; c < 4; c++) {
+            float *to = batch->in[attr].c[c];
+            if (c < a->size)
+                fetch_component(to, from + c * component_bytes(a->type), a, n, is_normalized(attr));
+            else
+                for (int i = 0; i < n; i++)
+                    to[i] = c == 3 ? 1.0f : 0.0f;
+        }
+    }
+}

@@ -1,0 +1,70 @@
+/* The plan and the work space of a context's pipeline. Layer 4.
+ * validate.c is the only reader of raw state that chooses functions; draw.c only runs what was chosen. */
+#ifndef FGL_PIPELINE_PIPELINE_H
+#define FGL_PIPELINE_PIPELINE_H
+
+#include "fragment/fragment.h"
+#include "pipeline/draw.h"
+#include "raster/raster.h"
+#include "vertex/emit.h"
+#include "vertex/vertex.h"
+
+/* Everything that a draw needs to know, made from the state once for each change of it. */
+struct plan {
+    struct vertex_plan vertex;
+    struct emit_plan emit;
+    struct raster_plan raster;
+    struct fragment_plan fragment;
+    uint32_t fetch;       /* attributes that some stage reads */
+    uint32_t varying;     /* attributes that were arrays when the plan was made */
+    bool polygon_fill;    /* both faces filled: no edge flags, no lines or points from triangles */
+    bool rasterize;       /* false: nothing can reach the framebuffer */
+};
+
+/* Vertices after the vertex stage, for primitive assembly. */
+struct vertex_cache {
+    int capacity;     /* vertices */
+    int stride;       /* floats that there is room for in each record */
+    float *record;    /* raster vertices, plan.emit.stride floats each */
+    float (*clip)[4]; /* clip coordinates; written where a batch has any outcode */
+    uint32_t *outcode;
+    float *edge_flag; /* written when polygons are not filled */
+};
+
+struct pipeline {
+    struct plan plan;
+    bool general;    /* FIXEDGL_PATH=general */
+    bool print_plan; /* FIXEDGL_DEBUG=plan */
+    struct vertex_batch batch;
+    struct vertex_cache cache;
+    uint32_t *elements; /* work space of glDrawElements */
+    int elements_capacity;
+};
+
+/* NULL when memory is short. */
+struct pipeline *fgl_pipeline_create(void);
+void fgl_pipeline_destroy(struct pipeline *p);
+
+/* Brings the plan up to date with the state, for draws whose attributes in `varying` are arrays. */
+void fgl_pipeline_validate(struct context *ctx, uint32_t varying);
+
+/* Prints the plan on stderr (FIXEDGL_DEBUG=plan). */
+void fgl_plan_print(const struct plan *plan);
+
+/* fetch.c: vertices first .. first+n of the source into the batch; n <= FGL_BATCH_SIZE. Only the given attributes. */
+void fgl_fetch(struct vertex_batch *batch, const struct vertex_source *source, uint32_t attributes, uint32_t first, int n);
+
+/* assemble.c: the primitive's lines, points and triangles to the rasterizer. Vertex i is the cache's number i, or elements[i] - base. */
+void fgl_assemble(struct pipeline *p, const struct draw_prim *prim, const uint32_t *elements, uint32_t base, bool compiled);
+
+/* clip.c: clips against the frustum and the user planes, hands what is left to the rasterizer. */
+struct clip_vertices {
+    const float *record[3], *clip[3];
+    const float *provoking;
+    uint32_t outcode; /* OR over the vertices */
+    unsigned edges;   /* boundary edges: bit i from vertex i to the next */
+};
+void fgl_clip_triangle(struct pipeline *p, const struct clip_vertices *in);
+void fgl_clip_line(struct pipeline *p, const struct clip_vertices *in, int *stipple_counter);
+
+#endif

@@ -1,0 +1,91 @@
+/* Validation: from dirty state to the plan (docs/pipeline.md). The one place that decides which stages a draw runs.
+ * Each update names the state that it depends on; unchanged state costs one comparison. */
+#include "pipeline/pipeline.h"
+
+enum {
+    VERTEX_DEPS = DIRTY_MODELVIEW | DIRTY_PROJECTION | DIRTY_TEXTURE_MATRIX | DIRTY_LIGHT | DIRTY_MATERIAL | DIRTY_CURRENT |
+                  DIRTY_NORMALIZE | DIRTY_CLIP_PLANE | DIRTY_VIEWPORT | DIRTY_VARYING | DIRTY_FOG | DIRTY_FRAMEBUFFER,
+    FRAGMENT_DEPS = DIRTY_LIGHT | DIRTY_CURRENT | DIRTY_VARYING | DIRTY_FRAGMENT | DIRTY_FOG | DIRTY_FRAMEBUFFER | DIRTY_SCISSOR |
+                    DIRTY_RASTER
+};
+
+static const uint32_t color_bit = 1u << ATTR_COLOR;
+
+/* Where fragments get their colour from. */
+static enum color_source color_source(const struct server_state *s, uint32_t varying)
+{
+    if (!s->lighting.lighting && !(varying & color_bit))
+        return COLOR_CONSTANT;
+    return s->lighting.shade_model == GL_FLAT ? COLOR_FLAT : COLOR_SMOOTH;
+}
+
+/* The attributes that some stage of the plan reads. */
+static uint32_t fetch_mask(const struct plan *plan)
+{
+    uint32_t mask = 1u << ATTR_POSITION;
+    const struct vertex_plan *v = &plan->vertex;
+    if (v->need_normal)
+        mask |= 1u << ATTR_NORMAL;
+    if (v->lighting) {
+        mask |= v->light.varying_material;
+        if (v->light.color_material[0] | v->light.color_material[1])
+            mask |= color_bit;
+    } else {
+        mask |= color_bit;
+    }
+    if (!plan->polygon_fill)
+        mask |= 1u << ATTR_EDGE_FLAG;
+    return mask;
+}
+
+static void update_emit(struct plan *plan)
+{
+    struct emit_plan *e = &plan->emit;
+    e->color = plan->fragment.color_source != COLOR_CONSTANT;
+    e->secondary = plan->fragment.has_secondary;
+    e->fog = plan->fragment.has_fog;
+    e->two_sided = plan->vertex.lighting && plan->vertex.light.two_sided;
+    e->lanes = e->fog || e->secondary ? LANE_TEX0 : e->color ? LANE_SECONDARY : LANE_COLOR;
+    e->back_lane = e->lanes;
+    e->stride = e->lanes + (e->two_sided ? (e->secondary ? 8 : 4) : 0);
+    struct raster_plan *r = &plan->raster;
+    r->stride = e->stride;
+    r->lanes = e->lanes;
+    r->back_lane = e->back_lane;
+    r->two_sided = e->two_sided;
+    r->flat = plan->fragment.color_source == COLOR_FLAT;
+}
+
+static void update_fragment(struct context *ctx, struct pipeline *p, uint32_t varying)
+{
+    struct plan *plan = &p->plan;
+    struct fragment_plan *f = &plan->fragment;
+    f->color_source = color_source(&ctx->s, varying);
+    for (int i = 0; i < 4; i++)
+        f->constant_color[i] = ctx->s.current.attr[ATTR_COLOR][i];
+    f->has_secondary = ctx->s.lighting.lighting && ctx->s.lighting.light_model_color_control == GL_SEPARATE_SPECULAR_COLOR;
+    fgl_fragment_validate(f, &ctx->s, ctx->framebuffer, p->general);
+    fgl_raster_validate(&plan->raster, &ctx->s, f);
+    plan->polygon_fill = ctx->s.polygon.polygon_mode[0] == GL_FILL && ctx->s.polygon.polygon_mode[1] == GL_FILL;
+    const struct rect *b = &plan->raster.bounds;
+    plan->rasterize = b->x0 < b->x1 && b->y0 < b->y1 && ctx->s.color_buffer.draw_buffer != GL_NONE;
+}
+
+void fgl_pipeline_validate(struct context *ctx, uint32_t varying)
+{
+    struct pipeline *p = ctx->pipeline;
+    if (varying != p->plan.varying)
+        ctx->dirty |= DIRTY_VARYING;
+    if (!ctx->dirty)
+        return;
+    if (ctx->dirty & VERTEX_DEPS)
+        fgl_vertex_validate(&p->plan.vertex, ctx, varying, ctx->framebuffer->height);
+    if (ctx->dirty & FRAGMENT_DEPS)
+        update_fragment(ctx, p, varying);
+    update_emit(&p->plan);
+    p->plan.fetch = fetch_mask(&p->plan);
+    p->plan.varying = varying;
+    ctx->dirty = 0;
+    if (p->print_plan)
+        fgl_plan_print(&p->plan);
+}

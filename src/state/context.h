@@ -1,0 +1,248 @@
+/* The context: all state of one OpenGL context, one struct for each state table of the specification (GL 1.5, 6.2
+ * "State Tables"), fields named as the enum in lower case. Layer 1: plain data; knows no algorithm.
+ *
+ * Each `struct *_state` below that is an attribute group is saved and restored whole by glPushAttrib and glPopAttrib.
+ * Derived values never live here: they belong to the plan (pipeline/plan.h). */
+#ifndef FGL_STATE_CONTEXT_H
+#define FGL_STATE_CONTEXT_H
+
+#include "base/batch.h"
+#include "base/fgl.h"
+#include "base/limits.h"
+#include "state/dirty.h"
+#include "state/matrix.h"
+
+#include "GL/gl.h"
+
+/* Table 6.5 "Current Values and Associated Data" (GL_CURRENT_BIT). */
+struct current_state {
+    float attr[ATTR_MATERIAL][4]; /* by enum fgl_attr; materials live in lighting_state */
+    float raster_position[4];     /* window coordinates, y up */
+    float raster_distance;
+    float raster_color[4];
+    float raster_secondary_color[4];
+    float raster_index;
+    float raster_texture_coords[FGL_MAX_TEXTURE_UNITS][4];
+    bool raster_position_valid;
+};
+
+struct light {
+    float ambient[4], diffuse[4], specular[4];
+    float position[4];       /* eye space: transformed by the modelview matrix of glLight's call */
+    float spot_direction[3]; /* eye space, as transformed, not normalised */
+    float spot_exponent, spot_cutoff; /* degrees, 0..90 or 180 */
+    float constant_attenuation, linear_attenuation, quadratic_attenuation;
+    bool enabled;
+};
+
+/* Tables 6.9, 6.10 "Lighting" (GL_LIGHTING_BIT). */
+struct lighting_state {
+    bool lighting, color_material;
+    GLenum shade_model, color_material_face, color_material_parameter;
+    GLenum light_model_color_control;
+    float light_model_ambient[4];
+    bool light_model_local_viewer, light_model_two_side;
+    float material[MAT_COUNT][2][4]; /* [parameter][0 front, 1 back]; shininess in component 0, colour indexes in 0..2 */
+    struct light light[FGL_MAX_LIGHTS];
+};
+
+/* Table 6.8 "Coloring" (GL_FOG_BIT). */
+struct fog_state {
+    bool fog, color_sum;
+    GLenum fog_mode, fog_hint_unused, fog_coord_src;
+    float fog_color[4], fog_index, fog_density, fog_start, fog_end;
+};
+
+/* Table 6.7 "Transformation state": GL_TRANSFORM_BIT and GL_VIEWPORT_BIT. */
+struct transform_state {
+    GLenum matrix_mode;
+    bool normalize, rescale_normal;
+    unsigned clip_plane_enabled;                       /* bit i: GL_CLIP_PLANEi */
+    float clip_plane[FGL_MAX_CLIP_PLANES][4]; /* eye space */
+};
+
+struct viewport_state {
+    int viewport[4];
+    float depth_range[2]; /* stored as OSMesa does: float, clamped to [0,1] */
+};
+
+/* Table 6.11 "Rasterization". */
+struct point_state {
+    bool point_smooth;
+    float point_size, point_size_min, point_size_max, point_fade_threshold_size, point_distance_attenuation[3];
+};
+
+struct line_state {
+    bool line_smooth, line_stipple;
+    float line_width;
+    int line_stipple_repeat;
+    uint16_t line_stipple_pattern;
+};
+
+struct polygon_state {
+    bool cull_face, polygon_smooth, polygon_stipple;
+    bool polygon_offset_point, polygon_offset_line, polygon_offset_fill;
+    GLenum cull_face_mode, front_face, polygon_mode[2]; /* 0 front, 1 back */
+    float polygon_offset_factor, polygon_offset_units;
+};
+
+struct polygon_stipple_state {
+    uint32_t row[32]; /* row 0 is the bottom; bit 31 is the leftmost pixel */
+};
+
+/* Tables 6.19, 6.20 "Pixel Operations" and 6.21 "Framebuffer Control". */
+struct scissor_state {
+    bool scissor_test;
+    int scissor_box[4];
+};
+
+struct depth_state { /* GL_DEPTH_BUFFER_BIT */
+    bool depth_test, depth_writemask;
+    GLenum depth_func;
+    double depth_clear_value;
+};
+
+struct stencil_state { /* GL_STENCIL_BUFFER_BIT */
+    bool stencil_test;
+    GLenum stencil_func, stencil_fail, stencil_pass_depth_fail, stencil_pass_depth_pass;
+    int stencil_ref, stencil_clear_value;
+    unsigned stencil_value_mask, stencil_writemask;
+};
+
+struct color_buffer_state { /* GL_COLOR_BUFFER_BIT */
+    bool alpha_test, blend, dither, index_logic_op, color_logic_op;
+    GLenum alpha_test_func, blend_src_rgb, blend_dst_rgb, blend_src_alpha, blend_dst_alpha, blend_equation;
+    GLenum logic_op_mode, draw_buffer;
+    float alpha_test_ref, blend_color[4], color_clear_value[4], index_clear_value;
+    bool color_writemask[4];
+    unsigned index_writemask;
+};
+
+struct accum_state {
+    float accum_clear_value[4];
+};
+
+struct hint_state {
+    GLenum perspective_correction_hint, point_smooth_hint, line_smooth_hint, polygon_smooth_hint, fog_hint;
+    GLenum generate_mipmap_hint, texture_compression_hint;
+};
+
+struct list_state {
+    unsigned list_base;
+};
+
+struct pixel_mode_state { /* GL_PIXEL_MODE_BIT */
+    bool map_color, map_stencil;
+    int index_shift, index_offset;
+    float scale[4], bias[4], depth_scale, depth_bias, zoom_x, zoom_y;
+    GLenum read_buffer;
+};
+
+/* Tables 6.14 "Textures" (GL_TEXTURE_BIT) and 6.24 "Evaluators" (GL_EVAL_BIT): only what glEnable can say, so far without effect. */
+struct texture_state {
+    bool texture_1d, texture_2d;
+    bool texture_gen[4]; /* s, t, r, q */
+};
+
+struct eval_state {
+    bool auto_normal;
+    unsigned map1_enabled, map2_enabled; /* bit i: GL_MAP1_COLOR_4 + i, GL_MAP2_COLOR_4 + i */
+};
+
+/* Everything that glPushAttrib can save. */
+struct server_state {
+    struct current_state current;
+    struct lighting_state lighting;
+    struct fog_state fog;
+    struct transform_state transform;
+    struct viewport_state viewport;
+    struct point_state point;
+    struct line_state line;
+    struct polygon_state polygon;
+    struct polygon_stipple_state polygon_stipple;
+    struct scissor_state scissor;
+    struct depth_state depth;
+    struct stencil_state stencil;
+    struct color_buffer_state color_buffer;
+    struct accum_state accum;
+    struct hint_state hint;
+    struct list_state list;
+    struct pixel_mode_state pixel_mode;
+    struct texture_state texture;
+    struct eval_state eval;
+};
+
+/* Table 6.6 "Vertex Array Data" (GL_CLIENT_VERTEX_ARRAY_BIT). */
+struct vertex_array {
+    const void *pointer;
+    GLenum type;
+    int size;   /* components */
+    int stride; /* bytes, as given: 0 means tightly packed */
+    bool enabled;
+};
+
+struct client_array_state {
+    struct vertex_array array[ATTR_MATERIAL]; /* by enum fgl_attr */
+    int client_active_texture;                /* unit */
+};
+
+/* Table 6.22 "Pixels": glPixelStore, [0] pack, [1] unpack (GL_CLIENT_PIXEL_STORE_BIT). */
+struct pixel_store {
+    bool swap_bytes, lsb_first;
+    int row_length, image_height, skip_rows, skip_pixels, skip_images, alignment;
+};
+
+struct client_state {
+    struct client_array_state arrays;
+    struct pixel_store pack, unpack;
+};
+
+struct attrib_entry {
+    GLbitfield mask;
+    struct server_state state;
+};
+
+struct client_attrib_entry {
+    GLbitfield mask;
+    struct client_state state;
+};
+
+enum { OUTSIDE_BEGIN_END = 0xffff }; /* context.begin_mode outside Begin/End */
+
+struct context {
+    unsigned dirty;    /* DIRTY_* */
+    GLenum error;      /* first error since glGetError */
+    GLenum begin_mode; /* primitive of the open Begin, or OUTSIDE_BEGIN_END */
+    GLenum compiling;  /* GL_COMPILE, GL_COMPILE_AND_EXECUTE, or 0 when no list is being compiled */
+    bool viewport_set; /* the first MakeCurrent sets viewport and scissor to the buffer's size */
+
+    struct server_state s;
+    struct client_state client;
+    struct matrix_stack modelview, projection, texture_matrix[FGL_MAX_TEXTURE_UNITS];
+    int active_texture;
+
+    struct attrib_entry *attrib_stack; /* FGL_MAX_ATTRIB_DEPTH entries, allocated at the first push */
+    int attrib_depth;
+    struct client_attrib_entry *client_attrib_stack;
+    int client_attrib_depth;
+
+    GLenum accuracy; /* FIXEDGL_COMPATIBLE */
+
+    /* The layers above, each known only to its own files. */
+    struct immediate *immediate;     /* api/immediate.h: vertices between Begin and End */
+    struct immediate *vertices;      /* where vertex commands go now: immediate, or the list being compiled */
+    struct list_compiler *list;      /* api/list.h: the list being compiled */
+    struct list_store *lists;        /* api/list.h: lists, maybe shared with other contexts */
+    struct pipeline *pipeline;       /* pipeline/pipeline.h: the plan and its work space */
+    struct framebuffer *framebuffer; /* framebuffer/framebuffer.h; NULL until OSMesaMakeCurrent */
+    struct osmesa_context *osmesa;   /* osmesa/osmesa.c */
+    void (*present)(struct context *); /* copies the picture to the caller's buffer, at glFlush and glFinish; may be NULL */
+};
+
+/* The context that is current in the calling thread, or NULL. */
+extern _Thread_local FGL_TLS_FAST struct context *fgl_current;
+
+/* Sets every value to the initial value of the state tables. */
+void fgl_state_init(struct context *ctx);
+
+#endif
