@@ -1,0 +1,148 @@
+/* The vertex kernels of one instruction set and one arithmetic, and the order in which a plan runs them.
+ *
+ * The build compiles this file once for each instruction set, with FGL_ISA naming it (sse2, avx2, avx512; base elsewhere) and
+ * the compiler's options to match. A kernel is written once, always inlined with constant flags, and instantiated here by
+ * one-line wrappers. */
+#include "vertex/light_kernel.h"
+#include "vertex/transform_kernel.h"
+
+#define NAME_OF(isa) fgl_vertex_kernels_##isa
+#define STRING_OF(isa) #isa
+#define KERNELS(isa) NAME_OF(isa)
+#define ISA_STRING(isa) STRING_OF(isa)
+
+/* Normals: [to eye space][scaling] */
+
+typedef void normal_fn(const struct vertex_plan *plan, struct vertex_work *work, int n);
+
+#define NORMAL_KERNEL(name, to_eye, scaling)                                                                   \
+    static void name(const struct vertex_plan *plan, struct vertex_work *work, int n)                          \
+    {                                                                                                          \
+        transform_normals(plan, work, n, to_eye, scaling);                                                     \
+    }
+NORMAL_KERNEL(normals_object_normalize, false, NORMAL_NORMALIZE)
+NORMAL_KERNEL(normals_eye, true, NORMAL_AS_IS)
+NORMAL_KERNEL(normals_eye_rescale, true, NORMAL_RESCALE)
+NORMAL_KERNEL(normals_eye_normalize, true, NORMAL_NORMALIZE)
+NORMAL_KERNEL(normals_general, plan->normal_in_eye_space, plan->normal_scaling)
+
+static normal_fn *const normal_kernel[2][3] = {
+        {NULL, normals_general, normals_object_normalize},
+        {normals_eye, normals_eye_rescale, normals_eye_normalize},
+};
+
+/* Lights: by key. The digits of a name are the bits of enum light_key, lowest first. */
+
+typedef void light_fn(const struct light_derived *light, const struct lighting_plan *plan, int face, struct vertex_work *work, int n);
+
+#define EACH_MATERIAL(M, p, a, s, c, v, x) M(p, a, s, c, v, x, 0) M(p, a, s, c, v, x, 1)
+#define EACH_SPECULAR(M, p, a, s)                                                                                      \
+    EACH_MATERIAL(M, p, a, s, 0, 0, 0)                                                                                 \
+    EACH_MATERIAL(M, p, a, s, 1, 0, 0)                                                                                 \
+    EACH_MATERIAL(M, p, a, s, 1, 1, 0)                                                                                 \
+    EACH_MATERIAL(M, p, a, s, 1, 0, 1)                                                                                 \
+    EACH_MATERIAL(M, p, a, s, 1, 1, 1)
+#define EACH_LIGHT(M)                                                                                                  \
+    EACH_SPECULAR(M, 0, 0, 0)                                                                                          \
+    EACH_SPECULAR(M, 0, 0, 1)                                                                                          \
+    EACH_SPECULAR(M, 1, 0, 0)                                                                                          \
+    EACH_SPECULAR(M, 1, 0, 1)                                                                                          \
+    EACH_SPECULAR(M, 1, 1, 0)                                                                                          \
+    EACH_SPECULAR(M, 1, 1, 1)
+
+#define LIGHT_KEY(p, a, s, c, v, x, m) (p | a << 1 | s << 2 | c << 3 | v << 4 | x << 5 | m << 6)
+#define LIGHT_KERNEL(p, a, s, c, v, x, m)                                                                              \
+    static void light_##p##a##s##c##v##x##m(const struct light_derived *light, const struct lighting_plan *plan,       \
+                                            int face, struct vertex_work *work, int n)                                 \
+    {                                                                                                                  \
+        add_light(light, plan, face, work, n, LIGHT_KEY(p, a, s, c, v, x, m));                                         \
+    }
+EACH_LIGHT(LIGHT_KERNEL)
+
+#define LIGHT_ENTRY(p, a, s, c, v, x, m) [LIGHT_KEY(p, a, s, c, v, x, m)] = light_##p##a##s##c##v##x##m,
+static light_fn *const light_kernel[LIGHT_KEY_COUNT] = {EACH_LIGHT(LIGHT_ENTRY)};
+
+static void light_general(const struct light_derived *light, const struct lighting_plan *plan, int face, struct vertex_work *work,
+                          int n)
+{
+    add_light(light, plan, face, work, n, light->key);
+}
+
+/* The stages of a chunk, in the specification's order */
+
+static void run_positions(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n)
+{
+    transform_positions(plan, b, first, n);
+    for (int i = 0; i < FGL_MAX_CLIP_PLANES; i++)
+        if (plan->user_planes >> i & 1)
+            test_user_plane(plan->user_plane_clip[i], (uint32_t)CLIP_USER0 << i, b, first, n);
+}
+
+static void run_normals(const struct vertex_plan *plan, const struct vertex_batch *b, int first, int n,
+                        struct vertex_work *work, bool general)
+{
+    normal_fn *kernel = general ? normals_general : normal_kernel[plan->normal_in_eye_space][plan->normal_scaling];
+
+    load_normals(plan, b, first, n, work);
+    if (kernel)
+        kernel(plan, work, n);
+}
+
+/* Lights one face into color[face] and secondary[face]. */
+static void run_face(const struct lighting_plan *plan, struct vertex_batch *b, int first, int n, int face,
+                     struct vertex_work *work, bool general)
+{
+    const int alpha = plan->source[MAT_DIFFUSE][face];
+
+    if (plan->varying)
+        start_varying(plan, b, first, n, face, work);
+    else
+        start_constant(plan, face, n, work);
+    for (int i = 0; i < plan->n; i++) {
+        const struct light_derived *light = &plan->light[i];
+        light_fn *kernel = general || light->key >= LIGHT_KEY_COUNT ? light_general : light_kernel[light->key];
+        kernel(light, plan, face, work, n);
+    }
+
+    clamp_sums(work->color, &b->color[face], first, n);
+    if (alpha < 0)
+        fill_lane(fgl_clamp01(plan->base[face][3]), b->color[face].c[3] + first, n);
+    else
+        clamp_lane(b->in[alpha].c[3] + first, b->color[face].c[3] + first, n);
+    if (plan->separate_specular)
+        clamp_sums(work->specular, &b->secondary[face], first, n);
+}
+
+static void run_colors(struct vertex_batch *b, int first, int n)
+{
+    for (int c = 0; c < 4; c++)
+        clamp_lane(b->in[ATTR_COLOR].c[c] + first, b->color[0].c[c] + first, n);
+}
+
+static void run(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n, bool general)
+{
+    struct vertex_work work;
+
+    n = (n + VERTEX_GROUP - 1) & ~(VERTEX_GROUP - 1);
+    run_positions(plan, b, first, n);
+    if (plan->need_fog_z)
+        eye_distance(plan, b, first, n, b->fog_z);
+    if (plan->need_point_size)
+        point_sizes(plan, b, first, n);
+    if (plan->color_is_varying)
+        run_colors(b, first, n);
+    if (!plan->lighting)
+        return;
+
+    if (plan->need_eye)
+        transform_eye(plan, b, first, n, &work);
+    if (plan->need_eye && plan->light.local_viewer)
+        normalize_view(&work, n);
+    if (plan->need_normal)
+        run_normals(plan, b, first, n, &work, general);
+    for (int face = 0; face <= plan->light.two_sided; face++)
+        run_face(&plan->light, b, first, n, face, &work, general);
+}
+
+extern const struct vertex_kernels KERNELS(FGL_ISA);
+const struct vertex_kernels KERNELS(FGL_ISA) = {.isa = ISA_STRING(FGL_ISA), .run = run};

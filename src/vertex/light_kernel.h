@@ -1,0 +1,163 @@
+/* The lighting equation (GL 1.5, 2.14.1 "Lighting"), one light at a time. Kernels.
+ *
+ *   c = e_cm + a_cm * a_cs + sum over the lights of att * spot * (a + (n . VP) d + f (n . h)^s_rm s)
+ *
+ * a, d, s: products of the light's colours and the material's. f is 1 where n . VP > 0, else 0; dots are not negative.
+ * Colours are sums here; clamping is 2.14.6 "Clamping or Masking". The order of operations inside is OSMesa's: docs/lighting.md. */
+#ifndef FGL_VERTEX_LIGHT_KERNEL_H
+#define FGL_VERTEX_LIGHT_KERNEL_H
+
+#include "vertex/work.h"
+
+/* The product of a light's colour and the material, constant or by vertex. */
+static FGL_ALWAYS_INLINE struct real3 light_product(const struct light_derived *L, const struct vertex_work *work, int face, int i,
+                                                    int color, const bool varying)
+{
+    const float *constant = L->product[face][color], *own = L->color[color];
+
+    if (varying)
+        return r_vec3(own[0] * work->material[color][0][i], own[1] * work->material[color][1][i],
+                      own[2] * work->material[color][2][i]);
+    return r_vec3(constant[0], constant[1], constant[2]);
+}
+
+static FGL_ALWAYS_INLINE struct real3 vec3_of(const float v[3])
+{
+    return r_vec3(v[0], v[1], v[2]);
+}
+
+/* Adds one light to the sums of n vertices, for one face: the back face's normal is the negated one. */
+static FGL_ALWAYS_INLINE void add_light(const struct light_derived *L, const struct lighting_plan *plan, int face, struct vertex_work *work,
+                                        int n, const unsigned key)
+{
+    const bool positional = key & LIGHT_POSITIONAL, attenuated = key & LIGHT_ATTENUATED, spotted = key & LIGHT_SPOT;
+    const bool specular = key & LIGHT_SPECULAR, local_viewer = key & LIGHT_LOCAL_VIEWER;
+    const bool separate = key & LIGHT_SEPARATE, varying = key & LIGHT_VARYING, zero = key & LIGHT_ZERO_SHININESS;
+    const struct real3 position = vec3_of(L->position), direction = vec3_of(L->direction);
+    const struct real3 axis = vec3_of(L->spot_direction), toward_eye = vec3_of(plan->view_direction);
+    const real side = face ? -1 : 1;
+
+    for (int i = 0; i < n; i++) {
+        struct real3 normal = load3(work->normal, i);
+        struct real3 VP = direction;
+        real att = 1, f_spec = 0;
+
+        if (positional) {
+            struct real3 to_light = r_sub3(position, load3(work->eye, i));
+            real square = r_dot3(to_light, to_light), inverse = r_rsqrt(square);
+            VP = r_scale3(to_light, inverse);
+            if (attenuated) {
+                real d = r_sqrt(square);
+                att = 1 / ((L->k2 * square + L->k1 * d) + L->k0 * (inverse * d));
+            }
+        }
+        if (spotted) {
+            real cosine = -r_dot3(VP, axis);
+            real spot = (L->cos_cutoff < cosine ? (real)1 : (real)0) * r_pow(r_abs(cosine), L->spot_exponent);
+            att = attenuated ? att * spot : spot;
+        }
+        real n_dot_VP = side * r_dot3(normal, VP);
+        real diffuse = r_max(n_dot_VP, 0);
+
+        if (specular) {
+            struct real3 h = vec3_of(L->half);
+            if (local_viewer)
+                h = r_normalize3(r_sub3(VP, load3(work->view, i)));
+            else if (positional)
+                h = r_normalize3(r_add3(VP, toward_eye));
+            real n_dot_h = r_max(side * r_dot3(normal, h), 0);
+            real shininess = varying ? work->shininess[i] : plan->shininess[face];
+            if (zero) /* OSMesa rule: no material has a highlight, and then h is not looked at */
+                f_spec = attenuated || spotted ? r_pow(diffuse, diffuse) : 1;
+            else
+                f_spec = r_pow(n_dot_h, shininess);
+            f_spec = n_dot_VP > 0 ? f_spec : 0;
+        }
+
+        struct real3 c = load3(work->color, i), ambient = light_product(L, work, face, i, COLOR_AMBIENT, varying);
+        if (attenuated || spotted) {
+            diffuse = diffuse * att;
+            f_spec = f_spec * att;
+            ambient = r_scale3(ambient, att);
+        }
+        c = r_add3(ambient, c);
+        c = r_add3(r_scale3(light_product(L, work, face, i, COLOR_DIFFUSE, varying), diffuse), c);
+        if (specular) {
+            struct real3 s = r_scale3(light_product(L, work, face, i, COLOR_SPECULAR, varying), f_spec);
+            if (separate)
+                store3(work->specular, i, r_add3(s, load3(work->specular, i)));
+            else
+                c = r_add3(s, c);
+        }
+        store3(work->color, i, c);
+    }
+}
+
+/* One lane of a material parameter: the vertices' own, or the constant. */
+static FGL_ALWAYS_INLINE void load_parameter(const struct lighting_plan *plan, const struct vertex_batch *b, int first, int n,
+                                             enum fgl_material parameter, int face, int component, real *FGL_RESTRICT out)
+{
+    const int source = plan->source[parameter][face];
+    const real constant = plan->material[parameter][face][component];
+
+    if (source < 0) {
+        for (int i = 0; i < n; i++)
+            out[i] = constant;
+    } else {
+        for (int i = 0; i < n; i++)
+            out[i] = b->in[source].c[component][first + i];
+    }
+}
+
+/* Materials that differ by vertex (GL 1.5, 2.14.2 "Lighting Parameter Specification", 2.14.3 "ColorMaterial"): the work space's material of
+ * one face, and the sums' start. */
+static FGL_ALWAYS_INLINE void start_varying(const struct lighting_plan *plan, const struct vertex_batch *b, int first, int n, int face,
+                                            struct vertex_work *work)
+{
+    for (int color = 0; color < COLOR_COUNT; color++)
+        for (int c = 0; c < 3; c++)
+            load_parameter(plan, b, first, n, (enum fgl_material)(MAT_AMBIENT + color), face, c, work->material[color][c]);
+    load_parameter(plan, b, first, n, MAT_SHININESS, face, 0, work->shininess);
+    for (int i = 0; i < n; i++)
+        work->shininess[i] = r_max(r_min(work->shininess[i], FGL_MAX_SHININESS), -FGL_MAX_SHININESS);
+
+    for (int c = 0; c < 3; c++) {
+        load_parameter(plan, b, first, n, MAT_EMISSION, face, c, work->color[c]);
+        for (int i = 0; i < n; i++) {
+            work->color[c][i] = plan->model_ambient[c] * work->material[COLOR_AMBIENT][c][i] + work->color[c][i];
+            work->specular[c][i] = 0;
+        }
+    }
+}
+
+/* Starts the sums with emission and the scene's ambient light. */
+static FGL_ALWAYS_INLINE void start_constant(const struct lighting_plan *plan, int face, int n, struct vertex_work *work)
+{
+    for (int c = 0; c < 3; c++)
+        for (int i = 0; i < n; i++) {
+            work->color[c][i] = plan->base[face][c];
+            work->specular[c][i] = 0;
+        }
+}
+
+/* Clamps finished sums (GL 1.5, 2.14.6 "Clamping or Masking"). */
+static FGL_ALWAYS_INLINE void clamp_sums(const real sum[3][VERTEX_CHUNK], struct lanes4 *FGL_RESTRICT out, int first, int n)
+{
+    for (int c = 0; c < 3; c++)
+        for (int i = 0; i < n; i++)
+            out->c[c][first + i] = (float)r_clamp01(sum[c][i]);
+}
+
+static FGL_ALWAYS_INLINE void clamp_lane(const float *FGL_RESTRICT in, float *FGL_RESTRICT out, int n)
+{
+    for (int i = 0; i < n; i++)
+        out[i] = fgl_clamp01(in[i]);
+}
+
+static FGL_ALWAYS_INLINE void fill_lane(float value, float *out, int n)
+{
+    for (int i = 0; i < n; i++)
+        out[i] = value;
+}
+
+#endif

@@ -1,0 +1,111 @@
+/* Positions and normals (GL 1.5, 2.11 "Coordinate Transformations" and 2.12 "Clipping"): kernels.
+ * Each runs over the vertices first .. first + n of a batch, or 0 .. n of the work space. */
+#ifndef FGL_VERTEX_TRANSFORM_KERNEL_H
+#define FGL_VERTEX_TRANSFORM_KERNEL_H
+
+#include "vertex/work.h"
+
+/* Clip coordinates, outcodes against the view volume, window coordinates (GL 1.5, 2.11.1 "Controlling the Viewport"). */
+static FGL_ALWAYS_INLINE void transform_positions(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n)
+{
+    const float *m = plan->mvp, *scale = plan->viewport_scale, *trans = plan->viewport_trans;
+
+    for (int i = first; i < first + n; i++) {
+        struct real4 p = load_position(b, i);
+        float x = (float)r_row4(p, m), y = (float)r_row4(p, m + 1);
+        float z = (float)r_row4(p, m + 2), w = (float)r_row4(p, m + 3);
+        float oow = 1.0f / w;
+
+        b->clip.c[0][i] = x;
+        b->clip.c[1][i] = y;
+        b->clip.c[2][i] = z;
+        b->clip.c[3][i] = w;
+        b->win.c[0][i] = fgl_fma(x * oow, scale[0], trans[0]);
+        b->win.c[1][i] = fgl_fma(y * oow, scale[1], trans[1]);
+        b->win.c[2][i] = fgl_fma(z * oow, scale[2], trans[2]);
+        b->win.c[3][i] = oow;
+        b->outcode[i] = (x > w ? CLIP_RIGHT : 0u) | (x + w < 0 ? CLIP_LEFT : 0u) | (y > w ? CLIP_TOP : 0u) |
+                        (y + w < 0 ? CLIP_BOTTOM : 0u) | (z + w < 0 ? CLIP_NEAR : 0u) | (z > w ? CLIP_FAR : 0u);
+    }
+}
+
+/* GL 1.5, 2.12: the half-space of a client-defined plane, here in clip space: OSMesa rule. */
+static FGL_ALWAYS_INLINE void test_user_plane(const float plane[4], uint32_t bit, struct vertex_batch *b, int first, int n)
+{
+    for (int i = first; i < first + n; i++) {
+        float xy = fgl_fma(plane[1], b->clip.c[1][i], plane[0] * b->clip.c[0][i]);
+        float d = fgl_fma(plane[3], b->clip.c[3][i], fgl_fma(plane[2], b->clip.c[2][i], xy));
+        b->outcode[i] |= d < 0 ? bit : 0u;
+    }
+}
+
+static FGL_ALWAYS_INLINE void transform_eye(const struct vertex_plan *plan, const struct vertex_batch *b, int first, int n,
+                                            struct vertex_work *work)
+{
+    const float *m = plan->modelview;
+
+    for (int i = 0; i < n; i++) {
+        struct real4 p = load_position(b, first + i);
+        store3(work->eye, i, r_vec3(r_row4(p, m), r_row4(p, m + 1), r_row4(p, m + 2)));
+    }
+}
+
+static FGL_ALWAYS_INLINE void normalize_view(struct vertex_work *work, int n)
+{
+    for (int i = 0; i < n; i++)
+        store3(work->view, i, r_normalize3(load3(work->eye, i)));
+}
+
+static FGL_ALWAYS_INLINE void load_normals(const struct vertex_plan *plan, const struct vertex_batch *b, int first, int n,
+                                           struct vertex_work *work)
+{
+    const bool varying = plan->varying >> ATTR_NORMAL & 1;
+
+    for (int c = 0; c < 3; c++)
+        if (varying)
+            for (int i = 0; i < n; i++)
+                work->normal[c][i] = b->in[ATTR_NORMAL].c[c][first + i];
+        else
+            for (int i = 0; i < n; i++)
+                work->normal[c][i] = plan->constant[ATTR_NORMAL][c];
+}
+
+/* GL 1.5, 2.11.3 "Normal Transformation". */
+static FGL_ALWAYS_INLINE void transform_normals(const struct vertex_plan *plan, struct vertex_work *work, int n,
+                                                const bool to_eye, const enum normal_scaling scaling)
+{
+    const float(*m)[3] = plan->normal_matrix;
+
+    for (int i = 0; i < n; i++) {
+        struct real3 v = load3(work->normal, i);
+        if (to_eye)
+            v = r_vec3(r_row3(v, m[0]), r_row3(v, m[1]), r_row3(v, m[2]));
+        if (scaling == NORMAL_NORMALIZE)
+            v = r_normalize3(v);
+        if (scaling == NORMAL_RESCALE)
+            v = r_scale3(v, plan->rescale_factor);
+        store3(work->normal, i, v);
+    }
+}
+
+/* |z| in eye space: the distance that fog and point attenuation use (GL 1.5, 3.10 "Fog"). */
+static FGL_ALWAYS_INLINE void eye_distance(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n,
+                                           float *FGL_RESTRICT distance)
+{
+    for (int i = first; i < first + n; i++)
+        distance[i] = (float)r_abs(r_row4_w_first(load_position(b, i), plan->modelview + 2));
+}
+
+/* GL 1.5, 3.3 "Points": the size attenuated by distance. */
+static FGL_ALWAYS_INLINE void point_sizes(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n)
+{
+    const float *k = plan->point_attenuation;
+
+    for (int i = first; i < first + n; i++) {
+        real d = r_abs(r_row4_w_first(load_position(b, i), plan->modelview + 2));
+        real size = plan->point_size * r_rsqrt(k[0] + d * (k[1] + d * k[2]));
+        b->point_size[i] = (float)r_min(r_max(size, plan->point_size_min), plan->point_size_max);
+    }
+}
+
+#endif

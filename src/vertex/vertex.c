@@ -1,0 +1,113 @@
+/* Validation of the vertex plan, and the run of a batch through the kernels of this CPU. */
+#include "vertex/vertex.h"
+
+#include "base/cpu.h"
+
+#include <string.h>
+
+/* Clip planes go from eye to clip space: plane * inverse(projection) (GL 1.5, 2.12 "Clipping"; OSMesa rule). */
+static void derive_user_planes(struct vertex_plan *plan, const struct transform_state *transform, const float inverse[16])
+{
+    plan->user_planes = transform->clip_plane_enabled;
+    for (int i = 0; i < FGL_MAX_CLIP_PLANES; i++) {
+        const float *p = transform->clip_plane[i];
+
+        if (!(plan->user_planes >> i & 1))
+            continue;
+        for (int c = 0; c < 4; c++) {
+            const float *column = inverse + 4 * c;
+            plan->user_plane_clip[i][c] = p[0] * column[0] + p[1] * column[1] + p[2] * column[2] + p[3] * column[3];
+        }
+    }
+}
+
+/* GL 1.5, 2.11.1 "Controlling the Viewport"; y down from the framebuffer's top. OSMesa rule: depth range in double from floats. */
+static void derive_viewport(struct vertex_plan *plan, const struct viewport_state *state, int framebuffer_height)
+{
+    const float x = (float)state->viewport[0], y = (float)state->viewport[1];
+    const float half_width = (float)state->viewport[2] * 0.5f, half_height = (float)state->viewport[3] * 0.5f;
+    const double near = (double)state->depth_range[0], far = (double)state->depth_range[1];
+
+    plan->viewport_scale[0] = half_width;
+    plan->viewport_trans[0] = half_width + x;
+    plan->viewport_scale[1] = -half_height;
+    plan->viewport_trans[1] = (float)framebuffer_height - (half_height + y);
+    plan->viewport_scale[2] = (float)(0.5 * (far - near));
+    plan->viewport_trans[2] = (float)(0.5 * (near + far));
+}
+
+static void derive_point_size(struct vertex_plan *plan, const struct point_state *state)
+{
+    const float *k = state->point_distance_attenuation;
+
+    memcpy(plan->point_attenuation, k, sizeof plan->point_attenuation);
+    plan->need_point_size = k[0] != 1.0f || k[1] != 0.0f || k[2] != 0.0f;
+    plan->point_size = state->point_size;
+    plan->point_size_min = state->point_size_min;
+    plan->point_size_max = state->point_size_max;
+}
+
+void fgl_vertex_validate(struct vertex_plan *plan, struct context *ctx, uint32_t varying, int framebuffer_height)
+{
+    const unsigned dirty = ctx->dirty | (plan->varying != varying ? DIRTY_VARYING : 0);
+    struct matrix *modelview = &ctx->modelview.entry[ctx->modelview.top];
+    struct matrix *projection = &ctx->projection.entry[ctx->projection.top];
+
+    if (dirty & (DIRTY_MODELVIEW | DIRTY_PROJECTION))
+        fgl_matrix_product(plan->mvp, projection->m, modelview->m);
+    if (dirty & DIRTY_MODELVIEW) {
+        (void)fgl_matrix_class(modelview); /* a use: the class is found now, not after later commands */
+        memcpy(plan->modelview, modelview->m, sizeof plan->modelview);
+    }
+    if (dirty & (DIRTY_PROJECTION | DIRTY_CLIP_PLANE))
+        derive_user_planes(plan, &ctx->s.transform, fgl_matrix_inverse(projection));
+    if (dirty & (DIRTY_VIEWPORT | DIRTY_FRAMEBUFFER))
+        derive_viewport(plan, &ctx->s.viewport, framebuffer_height);
+    if (dirty & DIRTY_CURRENT)
+        memcpy(plan->constant, ctx->s.current.attr, sizeof plan->constant);
+    if (dirty & DIRTY_RASTER)
+        derive_point_size(plan, &ctx->s.point);
+
+    plan->varying = varying;
+    plan->lighting = ctx->s.lighting.lighting;
+    plan->need_fog_z = ctx->s.fog.fog && ctx->s.fog.fog_coord_src != GL_FOG_COORDINATE;
+    plan->color_is_varying = !plan->lighting && (varying >> ATTR_COLOR & 1);
+    if (plan->lighting && dirty & (DIRTY_MODELVIEW | DIRTY_LIGHT | DIRTY_MATERIAL | DIRTY_CURRENT | DIRTY_NORMALIZE | DIRTY_RASTER |
+                                   DIRTY_VARYING))
+        fgl_light_validate(plan, ctx);
+}
+
+void fgl_vertex_run(const struct vertex_plan *plan, struct vertex_batch *batch, bool general)
+{
+    const struct vertex_kernels *kernels = fgl_vertex_kernels();
+    uint32_t any = 0, all = ~(uint32_t)0;
+
+    for (int first = 0; first < batch->n; first += VERTEX_CHUNK)
+        kernels->run(plan, batch, first, fgl_min(batch->n - first, VERTEX_CHUNK), general);
+    for (int i = 0; i < batch->n; i++) {
+        any |= batch->outcode[i];
+        all &= batch->outcode[i];
+    }
+    batch->outcode_any = any;
+    batch->outcode_all = batch->n ? all : 0;
+}
+
+/* The kernels of each set that the build has. */
+#if defined(__x86_64__)
+extern const struct vertex_kernels fgl_vertex_kernels_sse2, fgl_vertex_kernels_avx2, fgl_vertex_kernels_avx512;
+static const struct vertex_kernels *const kernels_of[FGL_ISA_COUNT] = {
+        &fgl_vertex_kernels_sse2, &fgl_vertex_kernels_avx2, &fgl_vertex_kernels_avx512};
+#else
+extern const struct vertex_kernels fgl_vertex_kernels_base;
+static const struct vertex_kernels *const kernels_of[FGL_ISA_COUNT] = {&fgl_vertex_kernels_base};
+#endif
+
+const struct vertex_kernels *fgl_vertex_kernels(void)
+{
+    return kernels_of[fgl_cpu_isa()];
+}
+
+const struct vertex_kernels *fgl_vertex_kernels_of(int isa)
+{
+    return fgl_cpu_has((enum fgl_isa)isa) ? kernels_of[isa] : NULL;
+}

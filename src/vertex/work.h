@@ -1,0 +1,40 @@
+/* The work space of the vertex kernels: what passes between stages of one chunk of vertices, in the scalar type of the
+ * arithmetic (base/arith.h). Kernels only. */
+#ifndef FGL_VERTEX_WORK_H
+#define FGL_VERTEX_WORK_H
+
+#include "base/arith.h"
+#include "vertex/vertex.h"
+
+/* Kernels work on whole groups of this many vertices; what they compute behind the last one is never read. */
+enum { VERTEX_GROUP = 16 };
+
+struct vertex_work {
+    real eye[3][VERTEX_CHUNK];      /* eye space position */
+    real view[3][VERTEX_CHUNK];     /* unit vector from the eye to the vertex; local viewer only */
+    real normal[3][VERTEX_CHUNK];   /* in the lighting space */
+    real color[3][VERTEX_CHUNK];    /* sums of the lighting equation, not clamped */
+    real specular[3][VERTEX_CHUNK]; /* the specular sums, when separate */
+    real material[COLOR_COUNT][3][VERTEX_CHUNK]; /* of the face being lit, when the material differs by vertex */
+    real shininess[VERTEX_CHUNK];
+};
+
+static FGL_ALWAYS_INLINE struct real3 load3(const real a[3][VERTEX_CHUNK], int i)
+{
+    return r_vec3(a[0][i], a[1][i], a[2][i]);
+}
+
+static FGL_ALWAYS_INLINE void store3(real a[3][VERTEX_CHUNK], int i, struct real3 v)
+{
+    a[0][i] = v.x;
+    a[1][i] = v.y;
+    a[2][i] = v.z;
+}
+
+static FGL_ALWAYS_INLINE struct real4 load_position(const struct vertex_batch *b, int i)
+{
+    const struct lanes4 *in = &b->in[ATTR_POSITION];
+    return (struct real4){in->c[0][i], in->c[1][i], in->c[2][i], in->c[3][i]};
+}
+
+#endif
