@@ -28,11 +28,32 @@ struct diff {
     struct result *results;
 };
 
-static bool draw_reference(const struct diff *diff, const struct picture *picture, struct image *image,
-                           struct problem *problem)
+/* A program that has FixedGL linked in statically takes no notice of the preloaded library, and would be
+ * compared with itself, or recorded as a golden. So the picture must say that the reference drew it. */
+static bool check_drawn_by(const struct image *image, const char *renderer, struct problem *problem)
+{
+    if (image->renderer[0] == '\0')
+        return fgl_problem_set(problem, "reference: its picture does not say which GL_RENDERER drew it");
+    return strcmp(image->renderer, renderer) == 0 ||
+           fgl_problem_set(problem, "reference: drawn by %s, not by %s", image->renderer, renderer);
+}
+
+static bool draw_with_osmesa(const struct diff *diff, const struct picture *picture, struct image *image,
+                             struct problem *problem)
+{
+    if (!fgl_draw_picture(&diff->reference, picture, image, problem))
+        return false;
+    if (check_drawn_by(image, diff->osmesa.renderer, problem))
+        return true;
+    fgl_image_free(image);
+    return false;
+}
+
+static bool get_reference(const struct diff *diff, const struct picture *picture, struct image *image,
+                          struct problem *problem)
 {
     return diff->from_goldens ? fgl_goldens_load(&diff->goldens, picture, image, problem)
-                              : fgl_draw_picture(&diff->reference, picture, image, problem);
+                              : draw_with_osmesa(diff, picture, image, problem);
 }
 
 static void compare_picture(void *context, int index, char **line)
@@ -43,7 +64,7 @@ static void compare_picture(void *context, int index, char **line)
     struct problem problem, ignored;
     result->picture = &diff->pictures.items[index];
     const bool drawn = fgl_draw_picture(&diff->ours, result->picture, &ours, &problem);
-    const bool known = draw_reference(diff, result->picture, &reference, drawn ? &problem : &ignored);
+    const bool known = get_reference(diff, result->picture, &reference, drawn ? &problem : &ignored);
     if (drawn && known)
         fgl_result_compare(result, &ours, &reference, &diff->departures);
     else
@@ -63,7 +84,7 @@ static void record_picture(void *context, int index, char **line)
     struct image image;
     struct problem problem;
     result->picture = &diff->pictures.items[index];
-    if (fgl_draw_picture(&diff->reference, result->picture, &image, &problem) &&
+    if (draw_with_osmesa(diff, result->picture, &image, &problem) &&
         fgl_goldens_write_picture(diff->options.record, result->picture, &image, &diff->osmesa, &problem))
         *line = fgl_format("%-20s recorded, %dx%d, %d bits of depth", result->picture->name, image.width,
                            image.height, image.depth_bits);

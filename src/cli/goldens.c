@@ -100,6 +100,7 @@ bool fgl_goldens_load(const struct goldens *goldens, const struct picture *pictu
         image->rgba = fgl_pngfile_read(path, 4, &image->width, &image->height, problem);
         good = image->rgba != NULL && load_depth(depth_path, image, problem);
     }
+    snprintf(image->renderer, sizeof image->renderer, "%s", goldens->renderer);
     if (!good)
         fgl_image_free(image);
     free(depth_path);

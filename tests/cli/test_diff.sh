@@ -46,7 +46,7 @@ row() {
 
 setup() {
     mkdir programs
-    for name in same one five alpha depth coverage size crash crash-reference cheat hang silent status bits16 \
+    for name in same one five alpha depth coverage size crash crash-reference cheat static mute hang silent status bits16 \
         events clean short long short-depth flat; do
         ln -s "$here/fake_program" programs/$name
     done
@@ -152,15 +152,17 @@ END
 }
 
 test_failures() {
-    for name in size crash crash-reference cheat hang silent status short long short-depth absent; do
+    for name in size crash crash-reference cheat static mute hang silent status short long short-depth absent; do
         echo "$name $name 4x2"
     done >list
     diff_pictures 1 --timeout 0.5
-    says "11 pictures: 0 identical, 0 by named departures, 0 differ, 11 failed"
+    says "13 pictures: 0 identical, 0 by named departures, 0 differ, 13 failed"
     says "FixedGL drew 4x2, the reference 5x2"
     says "FAILED: FixedGL: crashed: signal 11"
     says "FAILED: reference: crashed: signal 11"
     says "both pictures were drawn by fake reference"
+    says "reference: drawn by fake ours, not by fake reference"
+    says "reference: its picture does not say which GL_RENDERER drew it"
     says "FixedGL: did not end within 0.5 s and was killed"
     says "FixedGL: wrote no picture: no <display> & no"
     says "FixedGL: exited with status 3: cannot open display"
@@ -232,6 +234,12 @@ test_goldens() {
     diff_pictures 0 --reference auto --osmesa ./no-such-library.so --goldens goldens same
     says "comparing with goldens: "
     says "reference: goldens in goldens, recorded from fake reference, 4.5 Fake"
+    echo 'same cheat 4x2' >list
+    sed 's/same same/same cheat/' goldens/GOLDENS.txt >kept && mv kept goldens/GOLDENS.txt
+    diff_pictures 1 $with_goldens
+    says "both pictures were drawn by fake reference"
+    echo 'same same 4x2' >list
+    sed 's/same cheat/same same/' goldens/GOLDENS.txt >kept && mv kept goldens/GOLDENS.txt
     diff_pictures 2 --reference goldens --goldens no-such-folder
     mv goldens/same.depth.png kept
     diff_pictures 1 $with_goldens same
@@ -248,10 +256,12 @@ test_goldens() {
     diff_pictures 1 $with_goldens
     says 'golden out of date: recorded for `same same 4x2`'
     says "golden missing: goldens/GOLDENS.txt does not name it"
-    printf '%s\n' 'bits16 bits16 4x2' 'status status 4x2' >list
+    printf '%s\n' 'bits16 bits16 4x2' 'status status 4x2' 'static static 4x2' >list
     diff_pictures 1 --record partial
     says "goldens hold 24 bits of depth, not 16"
     says "exited with status 3"
+    says "drawn by fake ours"
+    check "no golden of what the reference did not draw" [ ! -e partial/static.png ]
     check "no GOLDENS.txt after a failure" [ ! -e partial/GOLDENS.txt ]
 }
 
