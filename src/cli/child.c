@@ -14,17 +14,27 @@
 
 extern char **environ;
 
-static bool dropped(const char *variable, const char *const *unset)
+/* Inherited variables whose names begin so are dropped. */
+static const char *const dropped[] = {
+        "FIXEDGL_CAPTURE", "FIXEDGL_SIZE", "FIXEDGL_FRAMES",
+        "FIXEDGL_EVENTS",  "LD_PRELOAD=",  "MESA_",
+        "GALLIUM_",        "GALLIVM_",     "LP_",
+        "DRAW_",           "LIBGL_",
+};
+
+static bool inherited(const char *variable, const char *const *set)
 {
-    for (; *unset != NULL; unset++)
-        if (strncmp(variable, *unset, strlen(*unset)) == 0)
-            return true;
-    return false;
+    for (size_t i = 0; i < sizeof dropped / sizeof *dropped; i++)
+        if (strncmp(variable, dropped[i], strlen(dropped[i])) == 0)
+            return false;
+    for (; *set != NULL; set++)
+        if (strncmp(variable, *set, strcspn(*set, "=") + 1) == 0)
+            return false;
+    return true;
 }
 
-/* The inherited environment without `unset` and with `set`. The strings are borrowed; the array is the
- * caller's. */
-static char **make_environment(const char *const *unset, const char *const *set)
+/* What is inherited, and `set`. The strings are borrowed; the array is the caller's. */
+static char **make_environment(const char *const *set)
 {
     size_t room = 1, count = 0;
     for (char **variable = environ; *variable != NULL; variable++)
@@ -33,7 +43,7 @@ static char **make_environment(const char *const *unset, const char *const *set)
         room++;
     char **environment = fgl_allocate(room, sizeof *environment);
     for (char **variable = environ; *variable != NULL; variable++)
-        if (!dropped(*variable, unset))
+        if (inherited(*variable, set))
             environment[count++] = *variable;
     for (; *set != NULL; set++)
         environment[count++] = (char *)*set;
@@ -53,7 +63,7 @@ static int spawn(const struct child *child, pid_t *pid)
         posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
     else
         posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, child->errors, create, 0666);
-    char **environment = make_environment(child->unset, child->set);
+    char **environment = make_environment(child->set);
     error = posix_spawnp(pid, child->argv[0], &actions, NULL, child->argv, environment);
     free(environment);
     posix_spawn_file_actions_destroy(&actions);

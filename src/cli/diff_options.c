@@ -15,7 +15,7 @@ static const char usage[] =
         "every depth value, and writes a report. Without names, all pictures of the list.\n"
         "\n"
         "  --pictures FILE      the picture list             (examples/pictures.txt)\n"
-        "  --programs DIR       the example programs         (build/examples)\n"
+        "  --examples DIR       the example programs         (build/examples)\n"
         "  --departures FILE    the named departures         (tests/departures.txt)\n"
         "  --goldens DIR        the recorded goldens         (tests/goldens)\n"
         "  --output DIR         the report, DIR/index.html   (build/diff)\n"
@@ -76,7 +76,7 @@ bool fgl_diff_options_read(int argc, char **argv, struct diff_options *options, 
 {
     static const struct option table[] = {
             {"pictures", required_argument, NULL, 'p'},
-            {"programs", required_argument, NULL, 'e'},
+            {"examples", required_argument, NULL, 'e'},
             {"departures", required_argument, NULL, 'd'},
             {"goldens", required_argument, NULL, 'g'},
             {"output", required_argument, NULL, 'o'},

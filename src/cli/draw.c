@@ -14,15 +14,6 @@ struct files {
     char *color, *depth, *log;
 };
 
-/* What a user's shell may hold and the picture must not depend on: another capture, another library, and the
- * knobs of Mesa that change the reference's arithmetic. FIXEDGL_PATH and the like stay. */
-static const char *const inherited_not[] = {
-        "FIXEDGL_CAPTURE", "FIXEDGL_SIZE", "FIXEDGL_FRAMES",
-        "FIXEDGL_EVENTS",  "LD_PRELOAD=",  "MESA_",
-        "GALLIUM_",        "GALLIVM_",     "LP_",
-        "DRAW_",           "LIBGL_",       NULL,
-};
-
 static struct files name_files(const struct renderer *renderer, const struct picture *picture)
 {
     return (struct files){
@@ -69,7 +60,6 @@ static bool run_program(const struct renderer *renderer, const struct picture *p
     char *argv[] = {program, NULL};
     const struct child child = {
             .argv = argv,
-            .unset = inherited_not,
             .set = (const char *const *)set,
             .output = files->log,
             .errors = files->log,

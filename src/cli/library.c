@@ -115,8 +115,6 @@ static bool take_first_line(char *line, void *context, struct problem *problem)
 static bool read_output(char *const *argv, bool (*use)(char *, void *, struct problem *), void *context,
                         struct problem *problem)
 {
-    static const char *const unset[] = {"LD_PRELOAD=", "MESA_",  "GALLIUM_", "GALLIVM_",
-                                        "LP_",         "LIBGL_", NULL};
     /* OSMesa keeps a little memory to the end, which is no fault of a sanitized build of this tool. */
     static const char *const set[] = {"MESA_SHADER_CACHE_DISABLE=true", "LC_ALL=C",
                                       "ASAN_OPTIONS=detect_leaks=0", NULL};
@@ -126,7 +124,7 @@ static bool read_output(char *const *argv, bool (*use)(char *, void *, struct pr
         return fgl_problem_set(problem, "cannot make a temporary file");
     close(output_file);
     close(errors_file);
-    const struct child child = {argv, unset, set, output, errors, query_timeout};
+    const struct child child = {argv, set, output, errors, query_timeout};
     struct problem said = {""}, ignored;
     bool good = fgl_child_run(&child, problem);
     if (good)

@@ -31,7 +31,7 @@ run() {
 diff_pictures() { # expected exit code, options
     expected_code=$1
     shift
-    run "$expected_code" diff --pictures list --programs programs --departures departures --output report \
+    run "$expected_code" diff --pictures list --examples programs --departures departures --output report \
         --osmesa ./fake-osmesa.so --reference osmesa --timeout 20 "$@"
 }
 
@@ -47,7 +47,7 @@ row() {
 setup() {
     mkdir programs
     for name in same one five alpha depth coverage size crash crash-reference cheat static mute hang silent status bits16 \
-        events clean short long short-depth flat; do
+        events clean grown short long short-depth flat; do
         ln -s "$here/fake_program" programs/$name
     done
     cat >fake.c <<'END'
@@ -129,11 +129,13 @@ same same 4x2
 events events 4x2   click left 100 200; key a; wait 2
 clean clean 4x2
 flat flat 4x2
+grown grown 6x2
 END
-    FIXEDGL_EVENTS='key q' FIXEDGL_FRAMES=7 GALLIUM_DRIVER=softpipe LD_PRELOAD= diff_pictures 0
+    FIXEDGL_PATH=general FIXEDGL_EVENTS='key q' FIXEDGL_FRAMES=7 GALLIUM_DRIVER=softpipe diff_pictures 0
     row same 0 0 0 0 0 0
     row flat 0 0 0 0 - -
-    says "4 pictures: 4 identical, 0 by named departures, 0 differ, 0 failed"
+    check "the size that was drawn" grep -q '^grown  *7x2 ' output
+    says "5 pictures: 5 identical, 0 by named departures, 0 differ, 0 failed"
     says "reference: fake reference, 4.5 Fake"
     printf '%s\n' 'one one 4x2' 'five five 4x2' 'alpha alpha 4x2' 'depth depth 4x2' 'coverage coverage 4x2' \
         'same same 4x2' >list
