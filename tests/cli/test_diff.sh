@@ -1,7 +1,7 @@
 #!/bin/sh
-# `fixedgl diff` from outside: exit codes, what it counts, what it says. Usage: test_diff.sh PATH/TO/fixedgl
+# `fixedgl diff` from outside: exit codes, what it counts, what it says. Usage: test_diff.sh [PATH/TO/fixedgl]
 # Programs and reference are stand-ins, so neither FixedGL nor Mesa is needed; a C compiler is ($CC, cc).
-fixedgl=$(realpath "$1") || exit 2
+fixedgl=$(realpath "${1:-${BUILD:-build}/bin/fixedgl}") || exit 2
 here=$(dirname "$(realpath "$0")")
 work=$(mktemp -d) || exit 2
 trap 'rm -rf "$work"' EXIT
