@@ -19,6 +19,8 @@ WARN = -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Wdouble-promoti
 NUMERIC = -ffp-contract=off -fno-math-errno -fno-trapping-math
 CFLAGS = -std=c11 -g $(OPT) $(NUMERIC) $(WARN) -fPIC -fvisibility=hidden -MMD -MP $(SANITIZE)
 CPPFLAGS = -Iinclude -Isrc
+# V=1 prints whole commands.
+Q = $(if $(V),,@echo '  $@';)
 POSIX = -D_POSIX_C_SOURCE=200809L
 
 # ---- libfixedgl ----
@@ -56,39 +58,39 @@ help:
 
 $(BUILD)/src/%.o: src/%.c
 	@mkdir -p $(@D)
-	$(CC) $(CPPFLAGS) $(if $(filter src/glut/% src/cli/%,$<),$(POSIX)) $(CFLAGS) -c $< -o $@
+	$(Q)$(CC) $(CPPFLAGS) $(if $(filter src/glut/% src/cli/%,$<),$(POSIX)) $(CFLAGS) -c $< -o $@
 
 define kernel_rule
 $(BUILD)/src/%.$(1).o: src/%.c
 	@mkdir -p $$(@D)
-	$$(CC) $$(CPPFLAGS) $$(CFLAGS) -DFGL_ISA=$(1) $$(FLAGS_$(1)) -c $$< -o $$@
+	$$(Q)$$(CC) $$(CPPFLAGS) $$(CFLAGS) -DFGL_ISA=$(1) $$(FLAGS_$(1)) -c $$< -o $$@
 endef
 $(foreach isa,$(ISAS),$(eval $(call kernel_rule,$(isa))))
 
 # -Bsymbolic: beside a system libGL, our calls to our own functions stay ours.
 $(LIB)/libfixedgl.so: $(CORE_OBJECTS)
 	@mkdir -p $(@D)
-	$(CC) -shared $(SANITIZE) -Wl,-soname,libfixedgl.so.0 -Wl,-Bsymbolic $^ -lm -o $@
-	ln -sf libfixedgl.so $(LIB)/libfixedgl.so.0
+	$(Q)$(CC) -shared $(SANITIZE) -Wl,-soname,libfixedgl.so.0 -Wl,-Bsymbolic $^ -lm -o $@
+	@ln -sf libfixedgl.so $(LIB)/libfixedgl.so.0
 
 $(LIB)/libfixedglut.so: $(GLUT_OBJECTS) $(LIB)/libfixedgl.so
-	$(CC) -shared $(SANITIZE) -Wl,-soname,libfixedglut.so.0 $(RPATH) $(GLUT_OBJECTS) -L$(LIB) -lfixedgl -lpng -ldl -lm -o $@
-	ln -sf libfixedglut.so $(LIB)/libfixedglut.so.0
+	$(Q)$(CC) -shared $(SANITIZE) -Wl,-soname,libfixedglut.so.0 $(RPATH) $(GLUT_OBJECTS) -L$(LIB) -lfixedgl -lpng -ldl -lm -o $@
+	@ln -sf libfixedglut.so $(LIB)/libfixedglut.so.0
 
 $(LIB)/libfixedgl.a: $(CORE_OBJECTS)
 $(LIB)/libfixedglut.a: $(GLUT_OBJECTS)
 %.a:
 	@mkdir -p $(@D)
 	@rm -f $@
-	$(AR) rcs $@ $^
+	$(Q)$(AR) rcs $@ $^
 
 $(FIXEDGL): $(CLI_OBJECTS) $(LIB)/libfixedgl.so
 	@mkdir -p $(@D)
-	$(CC) $(SANITIZE) $(CLI_OBJECTS) -L$(LIB) -lfixedgl $(RPATH) -lpng -ldl -lm -o $@
+	$(Q)$(CC) $(SANITIZE) $(CLI_OBJECTS) -L$(LIB) -lfixedgl $(RPATH) -lpng -ldl -lm -o $@
 
 $(BUILD)/examples/%: examples/%.c $(LIB)/libfixedglut.so $(LIB)/libfixedgl.so
 	@mkdir -p $(@D)
-	$(CC) -Iinclude -std=c11 -O2 $(WARN) $(SANITIZE) -MMD -MP $< -L$(LIB) -lfixedglut -lfixedgl -lGLU -lm $(RPATH) -o $@
+	$(Q)$(CC) -Iinclude -std=c11 -O2 $(WARN) $(SANITIZE) -MMD -MP $< -L$(LIB) -lfixedglut -lfixedgl -lGLU -lm $(RPATH) -o $@
 
 # ---- tests ----
 # tests/unit: against internals, linked with the static library. tests/api, glut, cli: through public headers.
@@ -102,16 +104,16 @@ TEST_CFLAGS = -std=c11 -g -O2 $(NUMERIC) $(WARN) $(SANITIZE) $(POSIX) -MMD -MP -
 
 $(UNIT_TESTS): $(BUILD)/tests/%: tests/%.c $(LIB)/libfixedgl.a
 	@mkdir -p $(@D)
-	$(CC) $(TEST_CFLAGS) $< $(LIB)/libfixedgl.a -lcmocka -ldl -lm -lpthread -o $@
+	$(Q)$(CC) $(TEST_CFLAGS) $< $(LIB)/libfixedgl.a -lcmocka -ldl -lm -lpthread -o $@
 $(API_TESTS): $(BUILD)/tests/%: tests/%.c $(LIB)/libfixedgl.so
 	@mkdir -p $(@D)
-	$(CC) $(TEST_CFLAGS) $< -L$(LIB) -lfixedgl -Wl,-rpath,'$$ORIGIN/../../lib' -lcmocka -ldl -lm -lpthread -o $@
+	$(Q)$(CC) $(TEST_CFLAGS) $< -L$(LIB) -lfixedgl -Wl,-rpath,'$$ORIGIN/../../lib' -lcmocka -ldl -lm -lpthread -o $@
 $(GLUT_TESTS): $(BUILD)/tests/%: tests/%.c $(LIB)/libfixedglut.a $(LIB)/libfixedgl.so
 	@mkdir -p $(@D)
-	$(CC) $(TEST_CFLAGS) $< $(LIB)/libfixedglut.a -L$(LIB) -lfixedgl -Wl,-rpath,'$$ORIGIN/../../lib' -lcmocka -lpng -ldl -lm -o $@
+	$(Q)$(CC) $(TEST_CFLAGS) $< $(LIB)/libfixedglut.a -L$(LIB) -lfixedgl -Wl,-rpath,'$$ORIGIN/../../lib' -lcmocka -lpng -ldl -lm -o $@
 $(CLI_TESTS): $(BUILD)/tests/%: tests/%.c $(filter-out %/main.o,$(CLI_OBJECTS)) $(LIB)/libfixedgl.so
 	@mkdir -p $(@D)
-	$(CC) $(TEST_CFLAGS) $< $(filter-out %/main.o,$(CLI_OBJECTS)) -L$(LIB) -lfixedgl -Wl,-rpath,'$$ORIGIN/../../lib' -lcmocka -lpng -ldl -lm -o $@
+	$(Q)$(CC) $(TEST_CFLAGS) $< $(filter-out %/main.o,$(CLI_OBJECTS)) -L$(LIB) -lfixedgl -Wl,-rpath,'$$ORIGIN/../../lib' -lcmocka -lpng -ldl -lm -o $@
 
 test-programs: all $(TEST_PROGRAMS)
 
@@ -141,7 +143,7 @@ goldens: deps
 
 $(BUILD)/tests/bench/bench: tests/bench/bench.c
 	@mkdir -p $(@D)
-	$(CC) -std=c11 -O2 $(WARN) $(POSIX) -Iinclude -MMD -MP $< -ldl -lm -o $@
+	$(Q)$(CC) -std=c11 -O2 $(WARN) $(POSIX) -Iinclude -MMD -MP $< -ldl -lm -o $@
 bench: deps
 	$(MAKE) -j$(JOBS) libs $(BUILD)/tests/bench/bench
 	$(BUILD)/tests/bench/bench $(LIB)/libfixedgl.so libOSMesa.so.8

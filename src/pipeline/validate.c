@@ -26,13 +26,12 @@ static uint32_t fetch_mask(const struct plan *plan)
     const struct vertex_plan *v = &plan->vertex;
     if (v->need_normal)
         mask |= 1u << ATTR_NORMAL;
-    if (v->lighting) {
-        mask |= v->light.varying_material;
-        if (v->light.color_material[0] | v->light.color_material[1])
-            mask |= color_bit;
-    } else {
+    if (!v->lighting)
         mask |= color_bit;
-    }
+    for (int m = 0; v->lighting && m < MAT_COUNT; m++)
+        for (int face = 0; face < 2; face++)
+            if (v->light.source[m][face] >= 0)
+                mask |= 1u << v->light.source[m][face];
     if (!plan->polygon_fill)
         mask |= 1u << ATTR_EDGE_FLAG;
     return mask;
