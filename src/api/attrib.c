@@ -1,0 +1,130 @@
+/* Attribute stacks (GL 1.5, 6.1.14 "Saving and Restoring State"): a group is a struct of the state, saved and
+ * restored whole. GL_ENABLE_BIT alone cuts across the groups: it is every capability of state_table.def. */
+#include "api/command.h"
+#include "api/enable.h"
+#include "api/material.h"
+#include "api/set.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+struct group {
+    GLbitfield bit;
+    unsigned dirty;
+    size_t offset, size; /* in struct server_state */
+};
+
+#define GROUP(bit, dirty, field)                                                                             \
+    {                                                                                                        \
+        (bit), (dirty), offsetof(struct server_state, field), sizeof((struct server_state *)0)->field        \
+    }
+
+static const struct group groups[] = {
+        GROUP(GL_CURRENT_BIT, DIRTY_CURRENT | DIRTY_MATERIAL, current),
+        GROUP(GL_POINT_BIT, DIRTY_RASTER, point),
+        GROUP(GL_LINE_BIT, DIRTY_RASTER, line),
+        GROUP(GL_POLYGON_BIT, DIRTY_RASTER, polygon),
+        GROUP(GL_POLYGON_STIPPLE_BIT, DIRTY_RASTER, polygon_stipple),
+        GROUP(GL_PIXEL_MODE_BIT, 0, pixel_mode),
+        GROUP(GL_LIGHTING_BIT, DIRTY_LIGHT | DIRTY_MATERIAL, lighting),
+        GROUP(GL_FOG_BIT, DIRTY_FOG | DIRTY_FRAGMENT, fog),
+        GROUP(GL_DEPTH_BUFFER_BIT, DIRTY_FRAGMENT, depth),
+        GROUP(GL_ACCUM_BUFFER_BIT, 0, accum),
+        GROUP(GL_STENCIL_BUFFER_BIT, DIRTY_FRAGMENT, stencil),
+        GROUP(GL_VIEWPORT_BIT, DIRTY_VIEWPORT, viewport),
+        GROUP(GL_TRANSFORM_BIT, DIRTY_NORMALIZE | DIRTY_CLIP_PLANE, transform),
+        GROUP(GL_COLOR_BUFFER_BIT, DIRTY_FRAGMENT | DIRTY_FRAMEBUFFER, color_buffer),
+        GROUP(GL_HINT_BIT, DIRTY_RASTER, hint),
+        GROUP(GL_EVAL_BIT, DIRTY_CURRENT, eval),
+        GROUP(GL_LIST_BIT, 0, list),
+        GROUP(GL_TEXTURE_BIT, DIRTY_FRAGMENT, texture),
+        GROUP(GL_SCISSOR_BIT, DIRTY_SCISSOR, scissor),
+};
+
+/* The first push makes the stack. */
+static bool reserve(struct context *ctx, void **stack, size_t entries, size_t entry_size)
+{
+    if (!*stack)
+        *stack = calloc(entries, entry_size);
+    RETURN_VALUE_ERROR_IF(ctx, !*stack, GL_OUT_OF_MEMORY, false);
+    return true;
+}
+
+void fgl_exec_PushAttrib(struct context *ctx, GLbitfield mask)
+{
+    RETURN_ERROR_IF(ctx, ctx->attrib_depth >= FGL_MAX_ATTRIB_DEPTH, GL_STACK_OVERFLOW);
+    void *stack = ctx->attrib_stack;
+    if (!reserve(ctx, &stack, FGL_MAX_ATTRIB_DEPTH, sizeof *ctx->attrib_stack))
+        return;
+    ctx->attrib_stack = stack;
+
+    if (mask & (GL_CURRENT_BIT | GL_LIGHTING_BIT))
+        fgl_flush_current(ctx);
+    struct attrib_entry *e = &ctx->attrib_stack[ctx->attrib_depth++];
+    e->mask = mask;
+    e->state = ctx->s;
+}
+
+static void restore_group(struct context *ctx, const struct group *g, const struct server_state *saved)
+{
+    char *now = (char *)&ctx->s + g->offset;
+    const char *then = (const char *)saved + g->offset;
+
+    if (memcmp(now, then, g->size) == 0)
+        return;
+    memcpy(now, then, g->size);
+    ctx->dirty |= g->dirty;
+}
+
+static void restore_enables(struct context *ctx, const struct server_state *saved)
+{
+    const struct state_row *row;
+
+    for (int i = 0; (row = fgl_state_row_at(i)) != NULL; i++) {
+        if (row->dirty)
+            fgl_enable_set(ctx, row, fgl_state_saved_flag(row, saved));
+    }
+}
+
+/* OSMesa rule: stored vertices are drawn, whatever is restored. */
+void fgl_exec_PopAttrib(struct context *ctx)
+{
+    RETURN_ERROR_IF(ctx, ctx->attrib_depth == 0, GL_STACK_UNDERFLOW);
+    const struct attrib_entry *e = &ctx->attrib_stack[--ctx->attrib_depth];
+
+    fgl_flush_vertices(ctx, 0);
+    fgl_flush_current(ctx);
+    for (size_t i = 0; i < FGL_COUNTOF(groups); i++) {
+        if (e->mask & groups[i].bit)
+            restore_group(ctx, &groups[i], &e->state);
+    }
+    if (e->mask & GL_ENABLE_BIT)
+        restore_enables(ctx, &e->state);
+    fgl_material_track_color(ctx);
+}
+
+void fgl_exec_PushClientAttrib(struct context *ctx, GLbitfield mask)
+{
+    RETURN_ERROR_IF(ctx, ctx->client_attrib_depth >= FGL_MAX_CLIENT_ATTRIB_DEPTH, GL_STACK_OVERFLOW);
+    void *stack = ctx->client_attrib_stack;
+    if (!reserve(ctx, &stack, FGL_MAX_CLIENT_ATTRIB_DEPTH, sizeof *ctx->client_attrib_stack))
+        return;
+    ctx->client_attrib_stack = stack;
+
+    struct client_attrib_entry *e = &ctx->client_attrib_stack[ctx->client_attrib_depth++];
+    e->mask = mask;
+    e->state = ctx->client;
+}
+
+void fgl_exec_PopClientAttrib(struct context *ctx)
+{
+    RETURN_ERROR_IF(ctx, ctx->client_attrib_depth == 0, GL_STACK_UNDERFLOW);
+    const struct client_attrib_entry *e = &ctx->client_attrib_stack[--ctx->client_attrib_depth];
+
+    if (e->mask & GL_CLIENT_PIXEL_STORE_BIT) {
+        ctx->client.pack = e->state.pack;
+        ctx->client.unpack = e->state.unpack;
+    }
+    if (e->mask & GL_CLIENT_VERTEX_ARRAY_BIT)
+        ctx->client.arrays = e->state.arrays;
+}

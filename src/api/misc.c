@@ -1,0 +1,47 @@
+/* Errors, flushing, and what FixedGL adds (GL 1.5, 2.5 "GL Errors", 5.5 "Flush and Finish"). */
+#include "api/command.h"
+#include "api/errors.h"
+
+#include "fixedgl.h"
+
+GLenum GLAPIENTRY glGetError(void)
+{
+    struct context *ctx = fgl_current;
+    if (!ctx)
+        return GL_NO_ERROR;
+    RETURN_VALUE_ERROR_IF(ctx, ctx->begin_mode != OUTSIDE_BEGIN_END, GL_INVALID_OPERATION, GL_NO_ERROR);
+
+    const GLenum error = ctx->error;
+    ctx->error = GL_NO_ERROR;
+    return error;
+}
+
+void fgl_exec_Flush(struct context *ctx)
+{
+    fgl_flush_vertices(ctx, 0);
+    if (ctx->present)
+        ctx->present(ctx);
+}
+
+void fgl_exec_Finish(struct context *ctx)
+{
+    fgl_exec_Flush(ctx);
+}
+
+const char *GLAPIENTRY fixedglVersion(void)
+{
+    return FIXEDGL_VERSION;
+}
+
+GLenum GLAPIENTRY fixedglAccuracy(GLenum mode)
+{
+    struct context *ctx = fgl_current;
+    if (!ctx)
+        return 0;
+    RETURN_VALUE_ERROR_IF(ctx, ctx->begin_mode != OUTSIDE_BEGIN_END, GL_INVALID_OPERATION, 0);
+    RETURN_VALUE_ERROR_IF(ctx, mode != FIXEDGL_COMPATIBLE, GL_INVALID_ENUM, 0);
+
+    const GLenum before = ctx->accuracy;
+    ctx->accuracy = mode;
+    return before;
+}

@@ -1,0 +1,126 @@
+/* Parameters by name: look-up, ranges, conversions. See params.h. */
+#include "api/params.h"
+
+#include "api/command.h"
+#include "api/convert.h"
+#include "api/set.h"
+
+#include <math.h>
+
+#define ANY -INFINITY, INFINITY
+#define BETWEEN(lo, hi) (float)(lo), (float)(hi)
+#define NOT_NEGATIVE 0.0f, INFINITY
+
+#define NO_ROW(...)
+
+static const struct param light_params[] = {
+#define LIGHT(pname, count, kind, range, field)                                                              \
+    {pname, PARAM_##kind, count, range, offsetof(struct light, field)},
+#define LIGHT_MODEL NO_ROW
+#define MATERIAL NO_ROW
+#define FOG NO_ROW
+#include "api/param_table.def"
+};
+
+static const struct param light_model_params[] = {
+#define LIGHT NO_ROW
+#define LIGHT_MODEL(pname, count, kind, range, field)                                                        \
+    {pname, PARAM_##kind, count, range, offsetof(struct lighting_state, field)},
+#define MATERIAL NO_ROW
+#define FOG NO_ROW
+#include "api/param_table.def"
+};
+
+static const struct param material_params[] = {
+#define LIGHT NO_ROW
+#define LIGHT_MODEL NO_ROW
+#define MATERIAL(pname, count, kind, range) {pname, PARAM_##kind, count, range, 0},
+#define FOG NO_ROW
+#include "api/param_table.def"
+};
+
+static const struct param fog_params[] = {
+#define LIGHT NO_ROW
+#define LIGHT_MODEL NO_ROW
+#define MATERIAL NO_ROW
+#define FOG(pname, count, kind, range, field)                                                                \
+    {pname, PARAM_##kind, count, range, offsetof(struct fog_state, field)},
+#include "api/param_table.def"
+};
+
+static const struct param *find(const struct param *rows, size_t n, GLenum pname)
+{
+    for (size_t i = 0; i < n; i++) {
+        if (rows[i].pname == pname)
+            return &rows[i];
+    }
+    return NULL;
+}
+
+#define FIND(rows, pname) find((rows), FGL_COUNTOF(rows), (pname))
+
+const struct param *fgl_light_param(GLenum pname)
+{
+    return FIND(light_params, pname);
+}
+const struct param *fgl_light_model_param(GLenum pname)
+{
+    return FIND(light_model_params, pname);
+}
+const struct param *fgl_material_param(GLenum pname)
+{
+    return FIND(material_params, pname);
+}
+const struct param *fgl_fog_param(GLenum pname)
+{
+    return FIND(fog_params, pname);
+}
+
+static int count_of(const struct param *p)
+{
+    return p ? p->count : 0;
+}
+
+int fgl_count_light(GLenum pname)
+{
+    return count_of(fgl_light_param(pname));
+}
+int fgl_count_light_model(GLenum pname)
+{
+    return count_of(fgl_light_model_param(pname));
+}
+int fgl_count_fog(GLenum pname)
+{
+    return count_of(fgl_fog_param(pname));
+}
+
+bool fgl_param_allows(const struct param *p, const float *v)
+{
+    return !(v[0] < p->min) && !(v[0] > p->max); /* OSMesa rule: NaN is let through */
+}
+
+void fgl_param_set(struct context *ctx, unsigned dirty, const struct param *p, void *object, const float *v)
+{
+    void *field = (char *)object + p->offset;
+
+    switch (p->kind) {
+    case PARAM_FLOAT:
+    case PARAM_COLOR: fgl_set_floats(ctx, dirty, field, v, p->count); break;
+    case PARAM_BOOL: SET(ctx, dirty, *(bool *)field, v[0] != 0.0f); break;
+    case PARAM_ENUM: SET(ctx, dirty, *(GLenum *)field, fgl_enum_from_float(v[0])); break;
+    }
+}
+
+void fgl_param_from_ints(const struct param *p, const GLint *in, float out[4])
+{
+    for (int i = 0; i < count_of(p); i++)
+        out[i] = p->kind == PARAM_COLOR ? fgl_float_from_int_color(in[i]) : (float)in[i];
+}
+
+void fgl_param_to_ints(const struct param *p, const float *in, GLint *out)
+{
+    for (int i = 0; i < p->count; i++) {
+        const double v = (double)in[i];
+        out[i] = p->kind == PARAM_COLOR ? fgl_int_from_normalized(v) : fgl_int_round(v);
+    }
+}

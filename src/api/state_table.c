@@ -1,0 +1,171 @@
+/* The rows of state_table.def. See state_table.h. */
+#include "api/state_table.h"
+
+#include "api/list.h"
+#include "framebuffer/framebuffer.h"
+
+/* ---- values that are not simply a field ---- */
+
+static void copy_matrix(const struct matrix_stack *stack, double *v)
+{
+    for (int i = 0; i < 16; i++)
+        v[i] = (double)stack->entry[stack->top].m[i];
+}
+
+static void modelview_matrix(const struct context *ctx, double *v)
+{
+    copy_matrix(&ctx->modelview, v);
+}
+static void projection_matrix(const struct context *ctx, double *v)
+{
+    copy_matrix(&ctx->projection, v);
+}
+static void texture_matrix(const struct context *ctx, double *v)
+{
+    copy_matrix(&ctx->texture_matrix[ctx->active_texture], v);
+}
+
+static void modelview_depth(const struct context *ctx, double *v)
+{
+    *v = ctx->modelview.top + 1;
+}
+static void projection_depth(const struct context *ctx, double *v)
+{
+    *v = ctx->projection.top + 1;
+}
+static void texture_depth(const struct context *ctx, double *v)
+{
+    *v = ctx->texture_matrix[ctx->active_texture].top + 1;
+}
+
+static void list_index(const struct context *ctx, double *v)
+{
+    *v = fgl_list_index(ctx);
+}
+
+/* Bits of red (also of blue), green and alpha by enum color_kind. */
+static const uint8_t red_bits_of[] = {8, 16, 32, 5}, green_bits_of[] = {8, 16, 32, 6},
+                     alpha_bits_of[] = {8, 16, 32, 0};
+
+static void red_bits(const struct context *ctx, double *v)
+{
+    *v = ctx->framebuffer ? red_bits_of[ctx->framebuffer->color_kind] : 0;
+}
+
+static void blue_bits(const struct context *ctx, double *v)
+{
+    red_bits(ctx, v);
+}
+
+static void green_bits(const struct context *ctx, double *v)
+{
+    *v = ctx->framebuffer ? green_bits_of[ctx->framebuffer->color_kind] : 0;
+}
+
+static void alpha_bits(const struct context *ctx, double *v)
+{
+    const struct framebuffer *fb = ctx->framebuffer;
+    *v = fb && fb->has_alpha ? alpha_bits_of[fb->color_kind] : 0;
+}
+
+static void depth_bits(const struct context *ctx, double *v)
+{
+    *v = ctx->framebuffer ? ctx->framebuffer->depth_bits : 0;
+}
+static void stencil_bits(const struct context *ctx, double *v)
+{
+    *v = ctx->framebuffer ? ctx->framebuffer->stencil_bits : 0;
+}
+static void accum_bits(const struct context *ctx, double *v)
+{
+    *v = ctx->framebuffer ? ctx->framebuffer->accum_bits : 0;
+}
+
+/* GL 1.5, 4.1.5 "Stencil Test": clamped to what the stencil buffer holds. */
+static void stencil_ref(const struct context *ctx, double *v)
+{
+    const int bits = ctx->framebuffer ? ctx->framebuffer->stencil_bits : 0;
+    *v = fgl_clamp(ctx->s.stencil.stencil_ref, 0, (1 << bits) - 1);
+}
+
+/* ---- the rows ---- */
+
+enum {
+#define CAP(name, ...) ROW_##name,
+#define CAP_BIT(name, ...) ROW_##name,
+#define ARRAY(name, ...) ROW_##name,
+#define VALUE(name, ...) ROW_##name,
+#define LIMIT(name, ...) ROW_##name,
+#define FLOAT_LIMIT(name, ...) ROW_##name,
+#define COMPUTED(name, ...) ROW_##name,
+#define FLOAT_COMPUTED(name, ...) ROW_##name,
+#include "api/state_table.def"
+    ROW_COUNT
+};
+
+#define AT(field) .offset = offsetof(struct context, field)
+
+static const struct state_row rows[ROW_COUNT] = {
+#define CAP(name, dirty_bit, field) {.kind = STATE_BOOL, .count = 1, .dirty = (dirty_bit), AT(field)},
+#define CAP_BIT(name, dirty_bit, bit_number, field)                                                          \
+    {.kind = STATE_BIT, .count = 1, .bit = (bit_number), .dirty = (dirty_bit), AT(field)},
+#define ARRAY(name, attr) {.kind = STATE_ARRAY, .count = 1, AT(client.arrays.array[attr].enabled)},
+#define VALUE(name, value_kind, n, field) {.kind = STATE_##value_kind, .count = (n), AT(field)},
+#define LIMIT(name, n, v0, v1) {.kind = STATE_LIMIT, .count = (n), .limit = {(v0), (v1)}},
+#define FLOAT_LIMIT(name, n, v0, v1) {.kind = STATE_FLOAT_LIMIT, .count = (n), .limit = {(v0), (v1)}},
+#define COMPUTED(name, n, function) {.kind = STATE_COMPUTED, .count = (n), .read = function},
+#define FLOAT_COMPUTED(name, n, function) {.kind = STATE_FLOAT_COMPUTED, .count = (n), .read = function},
+#include "api/state_table.def"
+};
+
+const struct state_row *fgl_state_row(GLenum name)
+{
+    switch (name) {
+/* clang-format off */
+#define CAP(name, ...) case name: return &rows[ROW_##name];
+#define CAP_BIT(name, ...) case name: return &rows[ROW_##name];
+#define ARRAY(name, ...) case name: return &rows[ROW_##name];
+#define VALUE(name, ...) case name: return &rows[ROW_##name];
+#define LIMIT(name, ...) case name: return &rows[ROW_##name];
+#define FLOAT_LIMIT(name, ...) case name: return &rows[ROW_##name];
+#define COMPUTED(name, ...) case name: return &rows[ROW_##name];
+#define FLOAT_COMPUTED(name, ...) case name: return &rows[ROW_##name];
+#include "api/state_table.def"
+    /* clang-format on */
+    default: return NULL;
+    }
+}
+
+const struct state_row *fgl_state_row_at(int i)
+{
+    return i < ROW_COUNT ? &rows[i] : NULL;
+}
+
+static bool read_flag(const struct state_row *row, const char *field)
+{
+    if (row->kind == STATE_BIT)
+        return *(const unsigned *)(const void *)field >> row->bit & 1;
+    return *(const bool *)(const void *)field;
+}
+
+bool fgl_state_get_flag(const struct state_row *row, const struct context *ctx)
+{
+    return read_flag(row, (const char *)ctx + row->offset);
+}
+
+bool fgl_state_saved_flag(const struct state_row *row, const struct server_state *saved)
+{
+    return read_flag(row, (const char *)saved + (row->offset - offsetof(struct context, s)));
+}
+
+void fgl_state_put_flag(const struct state_row *row, struct context *ctx, bool on)
+{
+    char *field = (char *)ctx + row->offset;
+
+    if (row->kind != STATE_BIT) {
+        *(bool *)(void *)field = on;
+        return;
+    }
+    unsigned *bits = (unsigned *)(void *)field;
+    *bits = (*bits & ~(1u << row->bit)) | (unsigned)on << row->bit;
+}
