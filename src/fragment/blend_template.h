@@ -1,0 +1,73 @@
+/* Blending (GL 1.5, 4.1.7 "Blending") for one type of channel. Before each inclusion define CHANNEL, the type, T(name), which makes the
+ * names below its own, and, for values a and b, MUL(a, b), COMPLEMENT(a) = 1 - a, ADD(a, b) and SUB(a, b). All have the parameter
+ * `max`, the value of 1.0. Alpha is channel 3. */
+
+/* The factor of channel c, for each fragment. */
+static inline void T(factor)(GLenum factor, int c, const CHANNEL src[4][FRAGMENT_GROUP], const CHANNEL dst[4][FRAGMENT_GROUP],
+                             const CHANNEL constant[4], CHANNEL max, CHANNEL *FGL_RESTRICT f)
+{
+    switch (factor) {
+    case GL_ZERO:                     FOR_GROUP(i) f[i] = 0; break;
+    case GL_SRC_COLOR:                FOR_GROUP(i) f[i] = src[c][i]; break;
+    case GL_ONE_MINUS_SRC_COLOR:      FOR_GROUP(i) f[i] = COMPLEMENT(src[c][i]); break;
+    case GL_DST_COLOR:                FOR_GROUP(i) f[i] = dst[c][i]; break;
+    case GL_ONE_MINUS_DST_COLOR:      FOR_GROUP(i) f[i] = COMPLEMENT(dst[c][i]); break;
+    case GL_SRC_ALPHA:                FOR_GROUP(i) f[i] = src[3][i]; break;
+    case GL_ONE_MINUS_SRC_ALPHA:      FOR_GROUP(i) f[i] = COMPLEMENT(src[3][i]); break;
+    case GL_DST_ALPHA:                FOR_GROUP(i) f[i] = dst[3][i]; break;
+    case GL_ONE_MINUS_DST_ALPHA:      FOR_GROUP(i) f[i] = COMPLEMENT(dst[3][i]); break;
+    case GL_CONSTANT_COLOR:           FOR_GROUP(i) f[i] = constant[c]; break;
+    case GL_ONE_MINUS_CONSTANT_COLOR: FOR_GROUP(i) f[i] = COMPLEMENT(constant[c]); break;
+    case GL_CONSTANT_ALPHA:           FOR_GROUP(i) f[i] = constant[3]; break;
+    case GL_ONE_MINUS_CONSTANT_ALPHA: FOR_GROUP(i) f[i] = COMPLEMENT(constant[3]); break;
+    case GL_SRC_ALPHA_SATURATE:
+        FOR_GROUP(i) {
+            const CHANNEL room = COMPLEMENT(dst[3][i]);
+            f[i] = c == 3 ? max : src[3][i] < room ? src[3][i] : room;
+        }
+        break;
+    default: FOR_GROUP(i) f[i] = max; break; /* GL_ONE */
+    }
+}
+
+/* One channel of the blend equation. */
+static inline void T(blend_channel)(const struct color_buffer_state *s, int c, const CHANNEL src[4][FRAGMENT_GROUP],
+                                    const CHANNEL dst[4][FRAGMENT_GROUP], const CHANNEL constant[4], CHANNEL max,
+                                    CHANNEL *FGL_RESTRICT out)
+{
+    CHANNEL sf[FRAGMENT_GROUP], df[FRAGMENT_GROUP];
+    if (s->blend_equation == GL_MIN) { /* factors do not apply */
+        FOR_GROUP(i) out[i] = src[c][i] < dst[c][i] ? src[c][i] : dst[c][i];
+        return;
+    }
+    if (s->blend_equation == GL_MAX) {
+        FOR_GROUP(i) out[i] = src[c][i] > dst[c][i] ? src[c][i] : dst[c][i];
+        return;
+    }
+    T(factor)(c == 3 ? s->blend_src_alpha : s->blend_src_rgb, c, src, dst, constant, max, sf);
+    T(factor)(c == 3 ? s->blend_dst_alpha : s->blend_dst_rgb, c, src, dst, constant, max, df);
+    FOR_GROUP(i) sf[i] = MUL(src[c][i], sf[i]);
+    FOR_GROUP(i) df[i] = MUL(dst[c][i], df[i]);
+    if (s->blend_equation == GL_FUNC_SUBTRACT)
+        FOR_GROUP(i) out[i] = SUB(sf[i], df[i]);
+    else if (s->blend_equation == GL_FUNC_REVERSE_SUBTRACT)
+        FOR_GROUP(i) out[i] = SUB(df[i], sf[i]);
+    else
+        FOR_GROUP(i) out[i] = ADD(sf[i], df[i]);
+}
+
+static inline void T(blend)(const struct color_buffer_state *s, CHANNEL src[4][FRAGMENT_GROUP], const CHANNEL dst[4][FRAGMENT_GROUP],
+                            const CHANNEL constant[4], CHANNEL max)
+{
+    CHANNEL out[4][FRAGMENT_GROUP];
+    for (int c = 0; c < 4; c++)
+        T(blend_channel)(s, c, src, dst, constant, max, out[c]);
+    memcpy(src, out, sizeof out);
+}
+
+#undef CHANNEL
+#undef T
+#undef MUL
+#undef COMPLEMENT
+#undef ADD
+#undef SUB

@@ -1,0 +1,97 @@
+/* The fused kernels: depth test, interpolation and write in one pass, for plans with no other stage (GL 1.5, 4.1.5 "Depth
+ * Buffer Test" and the write of 4.2). One body; its flags are constants in each instance. */
+#ifndef FGL_FRAGMENT_FUSED_H
+#define FGL_FRAGMENT_FUSED_H
+
+#include "fragment/group.h"
+
+/* One row of a primitive. depth and color point at pixel 0 of the row. */
+struct fused_row {
+    float y;
+    int x0, x1;
+    float depth_max;
+    uint32_t flat_color;
+    int32_t *depth;
+    uint32_t *color;
+};
+
+/* The depth test: writes the depth of the pixels that pass, marks them in live (all bits or none). Returns whether any does. */
+static FGL_ALWAYS_INLINE bool fused_depth(const struct planes *p, const struct fused_row *row, int x, int32_t *FGL_RESTRICT live,
+                                          const enum depth_kind kind)
+{
+    int32_t *FGL_RESTRICT depth = row->depth + x;
+    int32_t any = 0;
+    for (int i = 0; i < FRAGMENT_GROUP; i++) {
+        const int32_t inside = -((x + i >= row->x0) & (x + i < row->x1));
+        int32_t pass = inside;
+        if (kind != DEPTH_OFF) {
+            const float z = plane_at(p, LANE_Z, (float)(x + i), row->y) + p->z_offset;
+            const int32_t new_depth = depth_from_z(z, row->depth_max), old_depth = depth[i];
+            pass &= -(kind == DEPTH_LESS ? new_depth < old_depth : new_depth <= old_depth);
+            depth[i] = pass ? new_depth : old_depth;
+        }
+        live[i] = pass;
+        any |= pass;
+    }
+    return any != 0;
+}
+
+static FGL_ALWAYS_INLINE void fused_color(const struct planes *p, const struct fused_row *row, int x, const int32_t *FGL_RESTRICT live,
+                                          const enum color_source source)
+{
+    uint32_t *FGL_RESTRICT color = row->color + x;
+    for (int i = 0; i < FRAGMENT_GROUP; i++) {
+        uint32_t c = row->flat_color;
+        if (source == COLOR_SMOOTH) {
+            const float fx = (float)(x + i), w = 1.0f / plane_at(p, LANE_OOW, fx, row->y);
+            c = pack_unorm8(plane_at(p, LANE_COLOR + 0, fx, row->y) * w, plane_at(p, LANE_COLOR + 1, fx, row->y) * w,
+                            plane_at(p, LANE_COLOR + 2, fx, row->y) * w, plane_at(p, LANE_COLOR + 3, fx, row->y) * w);
+        }
+        color[i] = live[i] ? c : color[i];
+    }
+}
+
+static FGL_ALWAYS_INLINE void fused_fill(const struct fragment_plan *plan, const struct planes *planes, const struct runs *runs,
+                                         const enum depth_kind kind, const enum color_source source)
+{
+    const struct framebuffer *fb = plan->fb;
+    const ptrdiff_t stride = fb->stride;
+    const float *flat = source == COLOR_FLAT ? planes->a00 + LANE_COLOR : plan->constant_color;
+    struct fused_row row = {.depth_max = (float)fb->depth_max};
+    if (source != COLOR_SMOOTH)
+        row.flat_color = pack_unorm8(flat[0], flat[1], flat[2], flat[3]);
+
+    for (int i = 0; i < runs->n; i++) {
+        if (runs->x0[i] >= runs->x1[i])
+            continue;
+        row.y = (float)(runs->y + i);
+        row.x0 = runs->x0[i];
+        row.x1 = runs->x1[i];
+        if (kind != DEPTH_OFF)
+            row.depth = (int32_t *)fb->depth + (runs->y + i) * stride;
+        row.color = (uint32_t *)fb->color + (runs->y + i) * stride;
+        for (int x = row.x0 & -FRAGMENT_GROUP; x < row.x1; x += FRAGMENT_GROUP) {
+            int32_t live[FRAGMENT_GROUP];
+            if (fused_depth(planes, &row, x, live, kind))
+                fused_color(planes, &row, x, live, source);
+        }
+    }
+}
+
+#define FUSED(name, kind, source)                                                                                      \
+    static void name(const struct fragment_plan *plan, const struct planes *planes, const struct runs *runs)          \
+    {                                                                                                                  \
+        fused_fill(plan, planes, runs, kind, source);                                                                  \
+    }
+FUSED(fill_constant, DEPTH_OFF, COLOR_CONSTANT)
+FUSED(fill_flat, DEPTH_OFF, COLOR_FLAT)
+FUSED(fill_smooth, DEPTH_OFF, COLOR_SMOOTH)
+FUSED(fill_constant_less, DEPTH_LESS, COLOR_CONSTANT)
+FUSED(fill_flat_less, DEPTH_LESS, COLOR_FLAT)
+FUSED(fill_smooth_less, DEPTH_LESS, COLOR_SMOOTH)
+FUSED(fill_constant_lequal, DEPTH_LEQUAL, COLOR_CONSTANT)
+FUSED(fill_flat_lequal, DEPTH_LEQUAL, COLOR_FLAT)
+FUSED(fill_smooth_lequal, DEPTH_LEQUAL, COLOR_SMOOTH)
+#undef FUSED
+
+#endif

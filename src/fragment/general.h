@@ -1,0 +1,40 @@
+/* The general path: everything that a plan can ask for, a stage after the other in the order of GL 1.5, 3.8-3.10 and 4.1, a group at a
+ * time. Whatever the fused kernels draw, it draws to the same bytes. */
+#ifndef FGL_FRAGMENT_GENERAL_H
+#define FGL_FRAGMENT_GENERAL_H
+
+#include "fragment/blend.h"
+
+static void general_group(const struct fragment_plan *plan, const struct planes *planes, int row, int x, int x0, int x1)
+{
+    struct fragments f;
+    start_fragments(&f, plan, planes, row, x, x0, x1);
+    interpolate_color(&f, plan, planes);
+    if (plan->has_secondary)
+        add_secondary_color(&f, plan, planes);
+    if (plan->has_fog)
+        apply_fog(&f, plan, planes);
+    if (planes->smoothing)
+        apply_smoothing(&f, planes);
+    if (plan->alpha_test)
+        alpha_test(&f, plan);
+    if (plan->stencil_test || plan->depth_test)
+        stencil_depth_test(&f, plan, planes);
+    if (!plan->color_write || !any_live(&f))
+        return;
+    if (plan->fb->color_kind == COLOR_FLOAT)
+        write_float(&f, plan);
+    else
+        write_norm(&f, plan);
+}
+
+static void general_fill(const struct fragment_plan *plan, const struct planes *planes, const struct runs *runs)
+{
+    for (int i = 0; i < runs->n; i++) {
+        const int x0 = runs->x0[i], x1 = runs->x1[i];
+        for (int x = x0 & -FRAGMENT_GROUP; x < x1 && x0 < x1; x += FRAGMENT_GROUP)
+            general_group(plan, planes, runs->y + i, x, x0, x1);
+    }
+}
+
+#endif

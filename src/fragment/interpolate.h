@@ -1,0 +1,97 @@
+/* The general path's first half: from planes to a colour (GL 1.5, 3.5.1 "Basic Polygon Rasterization", 3.9 "Color Sum", 3.10 "Fog"). */
+#ifndef FGL_FRAGMENT_INTERPOLATE_H
+#define FGL_FRAGMENT_INTERPOLATE_H
+
+#include "fragment/group.h"
+
+/* One group of fragments. live: all bits or none. Colours are neither clamped nor rounded. */
+struct fragments {
+    int x, row; /* of pixel 0 */
+    float fy, fx[FRAGMENT_GROUP], w[FRAGMENT_GROUP];
+    float color[4][FRAGMENT_GROUP];
+    int32_t live[FRAGMENT_GROUP], depth[FRAGMENT_GROUP];
+};
+
+#define FOR_GROUP(i) for (int i = 0; i < FRAGMENT_GROUP; i++)
+
+static inline bool any_live(const struct fragments *f)
+{
+    int32_t any = 0;
+    FOR_GROUP(i) any |= f->live[i];
+    return any != 0;
+}
+
+/* The pixels of the run, less those that a polygon stipple leaves out (GL 1.5, 3.5.2: window coordinates modulo 32, row 0 lowest). */
+static inline void start_fragments(struct fragments *f, const struct fragment_plan *plan, const struct planes *p, int row, int x,
+                                   int x0, int x1)
+{
+    uint32_t stipple = 0xffffffff;
+    if (p->stipple)
+        stipple = p->stipple->row[(plan->fb->height - 1 - row) & 31];
+    f->x = x;
+    f->row = row;
+    f->fy = (float)row;
+    FOR_GROUP(i) f->fx[i] = (float)(x + i);
+    FOR_GROUP(i) f->live[i] = -((x + i >= x0) & (x + i < x1) & (int32_t)(stipple >> (31 - ((x + i) & 31)) & 1));
+    FOR_GROUP(i) f->w[i] = 1.0f / plane_at(p, LANE_OOW, f->fx[i], f->fy);
+}
+
+static inline void interpolate_color(struct fragments *f, const struct fragment_plan *plan, const struct planes *p)
+{
+    for (int c = 0; c < 4; c++) {
+        const float flat = plan->color_source == COLOR_FLAT ? p->a00[LANE_COLOR + c] : plan->constant_color[c];
+        if (plan->color_source == COLOR_SMOOTH)
+            FOR_GROUP(i) f->color[c][i] = plane_at(p, LANE_COLOR + c, f->fx[i], f->fy) * f->w[i];
+        else
+            FOR_GROUP(i) f->color[c][i] = flat;
+    }
+}
+
+static inline void add_secondary_color(struct fragments *f, const struct fragment_plan *plan, const struct planes *p)
+{
+    for (int c = 0; c < 3; c++) {
+        const float flat = p->a00[LANE_SECONDARY + c];
+        if (plan->color_source == COLOR_FLAT)
+            FOR_GROUP(i) f->color[c][i] += flat;
+        else
+            FOR_GROUP(i) f->color[c][i] += plane_at(p, LANE_SECONDARY + c, f->fx[i], f->fy) * f->w[i];
+    }
+}
+
+static inline void apply_fog(struct fragments *f, const struct fragment_plan *plan, const struct planes *p)
+{
+    float factor[FRAGMENT_GROUP];
+    FOR_GROUP(i) factor[i] = plane_at(p, LANE_FOG, f->fx[i], f->fy) * f->w[i];
+    const float k = plan->fog_k, fog_p = plan->fog_p, fog_q = plan->fog_q;
+    if (plan->fog_mode == GL_LINEAR)
+        FOR_GROUP(i) factor[i] = factor[i] * fog_p + fog_q;
+    else if (plan->fog_mode == GL_EXP)
+        FOR_GROUP(i) factor[i] = r_exp2(-(factor[i] * k));
+    else
+        FOR_GROUP(i) factor[i] = r_exp2(-(factor[i] * k * (factor[i] * k)));
+    FOR_GROUP(i) factor[i] = saturate(factor[i]);
+    for (int c = 0; c < 3; c++) {
+        const float fog = plan->fog_color[c];
+        FOR_GROUP(i) f->color[c][i] = fog * (1.0f - factor[i]) + f->color[c][i] * factor[i];
+    }
+}
+
+/* Antialiased lines and points: alpha times coverage (GL 1.5, 3.3.2, 3.4.3). OSMesa rules: a line's coverage falls to 0 over the outermost pixel
+ * of its rectangle; a point is a disc without soft edge, and alpha is raised towards its centre. */
+static inline void apply_smoothing(struct fragments *f, const struct planes *p)
+{
+    float s[4][FRAGMENT_GROUP];
+    for (int c = 0; c < 4; c++)
+        FOR_GROUP(i) s[c][i] = plane_at(p, LANE_SMOOTH + c, f->fx[i], f->fy) * f->w[i];
+    if (p->smoothing == SMOOTH_LINE) {
+        FOR_GROUP(i) f->color[3][i] *= saturate(s[1][i] - fabsf(s[0][i])) * saturate(s[3][i] - fabsf(s[2][i]));
+    } else {
+        FOR_GROUP(i) {
+            const float d2 = s[0][i] * s[0][i] + s[1][i] * s[1][i];
+            f->live[i] &= -(d2 <= 1.0f);
+            f->color[3][i] *= d2 < s[2][i] ? (1.0f - d2) / (1.0f - s[2][i]) : 1.0f;
+        }
+    }
+}
+
+#endif

@@ -1,0 +1,68 @@
+/* Colour between the buffer's formats (enum color_kind) and an array for each channel. 565 is worked on with 8 bits a channel. */
+#ifndef FGL_FRAGMENT_PIXEL_H
+#define FGL_FRAGMENT_PIXEL_H
+
+#include "fragment/tests.h"
+
+static inline ptrdiff_t pixel_index(const struct framebuffer *fb, int row, int x) { return row * (ptrdiff_t)fb->stride + x; }
+
+/* Red at `shift` of a 565 pixel with n bits, repeated to fill 8. */
+static FGL_ALWAYS_INLINE uint32_t expand(uint32_t pixel, int shift, int n)
+{
+    const uint32_t v = pixel >> shift & ((1u << n) - 1);
+    return v << (8 - n) | v >> (2 * n - 8);
+}
+
+/* A buffer without alpha reads as opaque (GL 1.5, 4.1.7). */
+static inline void load_norm(const struct framebuffer *fb, int row, int x, uint32_t dst[4][FRAGMENT_GROUP])
+{
+    const ptrdiff_t at = pixel_index(fb, row, x);
+    if (fb->color_kind == COLOR_UNORM8) {
+        const uint32_t *p = (const uint32_t *)fb->color + at;
+        for (int c = 0; c < 4; c++)
+            FOR_GROUP(i) dst[c][i] = p[i] >> (8 * c) & 255;
+    } else if (fb->color_kind == COLOR_UNORM16) {
+        const uint16_t *p = (const uint16_t *)fb->color + 4 * at;
+        for (int c = 0; c < 4; c++)
+            FOR_GROUP(i) dst[c][i] = p[4 * i + c];
+    } else {
+        const uint16_t *p = (const uint16_t *)fb->color + at;
+        FOR_GROUP(i) dst[0][i] = expand(p[i], 11, 5);
+        FOR_GROUP(i) dst[1][i] = expand(p[i], 5, 6);
+        FOR_GROUP(i) dst[2][i] = expand(p[i], 0, 5);
+    }
+    if (!fb->has_alpha)
+        FOR_GROUP(i) dst[3][i] = fb->color_kind == COLOR_UNORM16 ? 65535 : 255;
+}
+
+static inline void store_norm(const struct framebuffer *fb, int row, int x, const uint32_t src[4][FRAGMENT_GROUP])
+{
+    const ptrdiff_t at = pixel_index(fb, row, x);
+    if (fb->color_kind == COLOR_UNORM8) {
+        uint32_t *p = (uint32_t *)fb->color + at;
+        FOR_GROUP(i) p[i] = src[0][i] | src[1][i] << 8 | src[2][i] << 16 | src[3][i] << 24;
+    } else if (fb->color_kind == COLOR_UNORM16) {
+        uint16_t *p = (uint16_t *)fb->color + 4 * at;
+        for (int c = 0; c < 4; c++)
+            FOR_GROUP(i) p[4 * i + c] = (uint16_t)src[c][i];
+    } else {
+        uint16_t *p = (uint16_t *)fb->color + at;
+        FOR_GROUP(i) p[i] = (uint16_t)(src[0][i] >> 3 << 11 | src[1][i] >> 2 << 5 | src[2][i] >> 3);
+    }
+}
+
+static inline void load_float(const struct framebuffer *fb, int row, int x, float dst[4][FRAGMENT_GROUP])
+{
+    const float *p = (const float *)fb->color + 4 * pixel_index(fb, row, x);
+    for (int c = 0; c < 4; c++)
+        FOR_GROUP(i) dst[c][i] = c == 3 && !fb->has_alpha ? 1.0f : p[4 * i + c];
+}
+
+static inline void store_float(const struct framebuffer *fb, int row, int x, const float src[4][FRAGMENT_GROUP])
+{
+    float *p = (float *)fb->color + 4 * pixel_index(fb, row, x);
+    for (int c = 0; c < 4; c++)
+        FOR_GROUP(i) p[4 * i + c] = src[c][i];
+}
+
+#endif

@@ -1,0 +1,64 @@
+/* From state to the fragment plan: the stages that the state requires, and a fused kernel where there is one for just these. */
+#include "fragment/fragment.h"
+
+/* Lanes that the stages read, in whole groups. */
+static int lanes_of(const struct fragment_plan *plan)
+{
+    if (plan->has_secondary || plan->has_fog)
+        return LANE_TEX0;
+    return plan->color_source == COLOR_CONSTANT ? LANE_COLOR : LANE_SECONDARY;
+}
+
+/* OSMesa rule: coefficients in double, rounded to float once. */
+static void validate_fog(struct fragment_plan *plan, const struct fog_state *fog)
+{
+    plan->has_fog = fog->fog;
+    plan->fog_mode = fog->fog_mode;
+    plan->fog_p = fog->fog_end == fog->fog_start ? 1.0f : -1.0f / (fog->fog_end - fog->fog_start);
+    plan->fog_q = fog->fog_end * -plan->fog_p;
+    plan->fog_k = fog->fog_mode == GL_EXP2 ? (float)((double)fog->fog_density * 1.2011224087864498)
+                                           : (float)((double)fog->fog_density * 1.4426950408889634);
+    for (int i = 0; i < 4; i++)
+        plan->fog_color[i] = fog->fog_color[i];
+}
+
+/* The kernel that does just what the plan asks for, or NULL. */
+static fragment_fill_fn *fused_kernel(const struct fragment_plan *plan)
+{
+    const bool *write = plan->channel_write;
+    if (plan->fb->color_kind != COLOR_UNORM8 || plan->has_secondary || plan->has_fog || plan->alpha_test || plan->stencil_test ||
+        plan->blend || plan->logic_op || !(write[0] && write[1] && write[2] && write[3]))
+        return NULL;
+    if (!plan->depth_test)
+        return fgl_fragment_kernels()->fused[DEPTH_OFF][plan->color_source];
+    if (!plan->depth_write || (plan->depth_func != GL_LESS && plan->depth_func != GL_LEQUAL))
+        return NULL;
+    return fgl_fragment_kernels()->fused[plan->depth_func == GL_LESS ? DEPTH_LESS : DEPTH_LEQUAL][plan->color_source];
+}
+
+void fgl_fragment_validate(struct fragment_plan *plan, const struct server_state *s, struct framebuffer *fb, bool general)
+{
+    const struct color_buffer_state *color = &s->color_buffer;
+    plan->fb = fb;
+    plan->color_buffer = *color;
+    plan->stencil = s->stencil;
+    plan->depth_func = s->depth.depth_func;
+    validate_fog(plan, &s->fog);
+
+    plan->alpha_test = color->alpha_test && color->alpha_test_func != GL_ALWAYS;
+    plan->depth_test = s->depth.depth_test && fb->depth;
+    plan->depth_write = plan->depth_test && s->depth.depth_writemask;
+    plan->stencil_test = s->stencil.stencil_test && fb->stencil;
+    plan->logic_op = color->color_logic_op;
+    plan->blend = color->blend && !plan->logic_op; /* GL 1.5, 4.1.9: a logical operation replaces blending */
+    plan->color_write = false;
+    for (int i = 0; i < 4; i++) {
+        plan->channel_write[i] = color->color_writemask[i] && color->draw_buffer != GL_NONE;
+        plan->color_write |= plan->channel_write[i];
+    }
+    plan->lanes = lanes_of(plan);
+
+    fragment_fill_fn *fused = general ? NULL : fused_kernel(plan);
+    plan->general = fgl_fragment_kernels()->general;
+    plan->fill = fused ? fused : plan->general;
+}

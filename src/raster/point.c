@@ -1,0 +1,72 @@
+/* Points (GL 1.5, 3.3 "Points"), in OSMesa's way: a square of whole pixels. */
+#include "raster/coverage.h"
+#include "raster/setup.h"
+
+/* Half away from zero. */
+static int nearest(float v) { return (int)(v >= 0.0f ? v + 0.5f : v - 0.5f); }
+
+/* Attributes do not change over a point. */
+static void point_planes(const struct raster_plan *plan, struct planes *p, const float *v)
+{
+    for (int lane = LANE_Z; lane < plan->lanes; lane++)
+        plane_constant(p, lane, lane < LANE_COLOR ? v[lane] : v[lane] * v[LANE_OOW]);
+    if (plan->flat)
+        flat_planes(p, v + LANE_COLOR, plan->fragment->has_secondary);
+    p->z_offset = 0.0f;
+    p->front = true;
+    p->smoothing = SMOOTH_NONE;
+    p->stipple = NULL;
+}
+
+/* The first column or row of n that has the centre v, in 1/256 pixel. */
+static int first_pixel(int v, int n) { return n & 1 ? (v >> 8) - (n - 1) / 2 : ((v + 128) >> 8) - n / 2; }
+
+static void aliased_point(const struct raster_plan *plan, const float *v, float size)
+{
+    const int snapped_size = (int)round_even(256.0 * (double)fmaxf(1.0f, size)), n = (snapped_size + 127) >> 8; /* halves go down */
+    const int x = first_pixel(nearest(v[LANE_X] * 256.0f), n), y = first_pixel(nearest(v[LANE_Y] * 256.0f) - 1, n);
+    const struct rect b = {fgl_max(plan->bounds.x0, x), fgl_max(plan->bounds.y0, y), fgl_min(plan->bounds.x1, x + n),
+                           fgl_min(plan->bounds.y1, y + n)};
+    struct planes planes;
+    struct runs runs;
+    if (b.x0 >= b.x1)
+        return;
+    point_planes(plan, &planes, v);
+    for (runs.y = b.y0; runs.y < b.y1; runs.y += runs.n) {
+        runs.n = fgl_min(RUNS_MAX, b.y1 - runs.y);
+        for (int i = 0; i < runs.n; i++) {
+            runs.x0[i] = b.x0;
+            runs.x1[i] = b.x1;
+        }
+        plan->fragment->fill(plan->fragment, &planes, &runs);
+    }
+}
+
+/* A square of two triangles around a disc; the fragment stage drops what lies outside the disc. */
+static void smooth_point(const struct raster_plan *plan, const float *v, float size)
+{
+    const float radius = size <= 1.0f ? 1.0f : size * 0.5f, inner = 1.0f - 1.0f / radius;
+    float corner[4][LANE_MAX];
+    for (int i = 0; i < 4; i++) {
+        const float x = i == 1 || i == 2 ? 1.0f : -1.0f, y = i >= 2 ? 1.0f : -1.0f;
+        memcpy(corner[i], v, (size_t)plan->lanes * sizeof(float));
+        corner[i][LANE_X] += x * radius;
+        corner[i][LANE_Y] += y * radius;
+        corner[i][LANE_SMOOTH + 0] = x;
+        corner[i][LANE_SMOOTH + 1] = y;
+        corner[i][LANE_SMOOTH + 2] = inner * inner;
+        corner[i][LANE_SMOOTH + 3] = 1.0f;
+    }
+    plan->kernels->smooth_triangle(plan, corner[0], corner[1], corner[2], v, SMOOTH_POINT);
+    plan->kernels->smooth_triangle(plan, corner[0], corner[2], corner[3], v, SMOOTH_POINT);
+}
+
+void fgl_raster_point(const struct raster_plan *plan, const float *v, float size)
+{
+    if (!within_limit(v))
+        return;
+    if (plan->point_smooth)
+        smooth_point(plan, v, size);
+    else
+        aliased_point(plan, v, size);
+}

@@ -1,0 +1,73 @@
+/* Rasterization (GL 1.5, chapter 3): from window-space vertices to runs of covered pixels. Layer 3. Has never heard of a light.
+ *
+ * A raster vertex is an array of floats (enum LANE_* in fragment/fragment.h): window x, y (y down), z in [0,1], 1/w_clip; then
+ * attributes, raw: set-up multiplies smooth ones by 1/w. The record is raster_plan.stride floats long; when two_sided, the back
+ * face's colour (4 lanes) and secondary colour (3 more, when the fragment plan has one) stand at back_lane. */
+#ifndef FGL_RASTER_RASTER_H
+#define FGL_RASTER_RASTER_H
+
+#include "fragment/fragment.h"
+
+/* A vertex in units of 1/256 pixel: integers. Pixel centres are multiples of 256. */
+struct snapped {
+    double x, y;
+};
+
+/* The kernels of one instruction set (kernels.c). Every set gives the same bytes. */
+struct raster_plan;
+struct raster_kernels {
+    void (*triangle)(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2, const float *provoking);
+    /* half of a smooth line or point; the vertices have LANE_SMOOTH */
+    void (*smooth_triangle)(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2, const float *provoking,
+                            enum smoothing smoothing);
+    /* a convex polygon, corners counter-clockwise as GL sees it */
+    void (*quad)(const struct raster_plan *plan, const struct snapped corner[4], const struct planes *planes);
+};
+
+struct raster_plan {
+    const struct raster_kernels *kernels;
+    struct rect bounds; /* framebuffer and scissor: the only rectangle that bounds pixels (the viewport does not) */
+    int stride;         /* floats from a raster vertex to the next */
+    int lanes;          /* lanes to set up planes for, 4..LANE_MAX */
+    bool flat;          /* colour lanes come from the provoking vertex, raw */
+    bool two_sided;
+    int back_lane;
+    bool cull_ccw, cull_cw; /* drop by the sign of the snapped area: counter-clockwise as GL sees it */
+    bool front_is_ccw;
+    GLenum polygon_mode[2]; /* 0 front, 1 back */
+    bool offset_point, offset_line, offset_fill;
+    float offset_factor, offset_units, offset_unit; /* z of one unit */
+    bool polygon_stipple;
+    const struct polygon_stipple_state *stipple;
+    float line_width, point_size;
+    bool line_smooth, point_smooth, line_stipple;
+    int line_stipple_factor;
+    uint16_t line_stipple_pattern;
+    int framebuffer_height; /* stipple rows and y-up rules count from the bottom */
+    const struct fragment_plan *fragment;
+};
+
+/* The kernels of the processor's best instruction set. */
+const struct raster_kernels *fgl_raster_kernels(void);
+
+/* Fills all but stride, lanes, flat, two_sided, back_lane (the vertex stage's layout). */
+void fgl_raster_validate(struct raster_plan *plan, const struct server_state *s, const struct fragment_plan *fragment);
+
+/* A filled triangle in the order that set-up must see; `provoking` is the vertex flat colours come from. Culls by snapped area.
+ * Draws nothing when a coordinate is NaN or infinite. */
+static inline void fgl_raster_triangle(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2,
+                                       const float *provoking)
+{
+    plan->kernels->triangle(plan, v0, v1, v2, provoking);
+}
+
+/* The same through glPolygonMode: edges and points as the modes of its face say; `edges` bit i: the edge from v_i to v_(i+1)%3 is a boundary. */
+void fgl_raster_polygon_mode(struct raster_plan *plan, const float *v0, const float *v1, const float *v2, const float *provoking,
+                             unsigned edges);
+
+/* stipple_counter runs along a strip or loop; reset to 0 by the caller where GL says. NULL when stipple is off. */
+void fgl_raster_line(const struct raster_plan *plan, const float *v0, const float *v1, const float *provoking, int *stipple_counter);
+
+void fgl_raster_point(const struct raster_plan *plan, const float *v, float size);
+
+#endif
