@@ -1,5 +1,5 @@
-/* Cube and the other Platonic solids, centred on the origin, faces and vertices in freeglut's order. A face is
- * flat: each of its vertices carries the face's normal, and no vertex is shared between faces. */
+/* Cube and the other Platonic solids, centred on the origin, faces and vertices in freeglut's order. A face
+ * is flat: each of its vertices carries the face's normal, and no vertex is shared between faces. */
 #include <math.h>
 #include <GL/glut.h>
 #include "internal.h"
@@ -14,9 +14,10 @@ struct polyhedron {
     const unsigned char *face; /* faces * sides indices into vertex, counter-clockwise from outside */
 };
 
+/* clang-format off: tables stand in columns */
 #define A (1.0 / 3.0)
-#define B 0.47140452079103168293  /* sqrt(2) / 3 */
-#define C 0.81649658092772603273  /* sqrt(2 / 3) */
+#define B 0.47140452079103168293 /* sqrt(2) / 3 */
+#define C 0.81649658092772603273 /* sqrt(2 / 3) */
 static const double tetrahedron_vertex[4][3] = {{1, 0, 0}, {-A, 2 * B, 0}, {-A, -B, C}, {-A, -B, -C}};
 static const unsigned char tetrahedron_face[] = {1, 3, 2, 0, 2, 3, 0, 3, 1, 0, 1, 2};
 #undef A
@@ -31,13 +32,13 @@ static const unsigned char octahedron_face[] = {0, 1, 2, 0, 3, 1, 0, 2, 4, 0, 4,
 #define P 1.61803398874989484820 /* golden ratio */
 #define Q 0.61803398874989484820 /* its reciprocal */
 static const double dodecahedron_vertex[20][3] = {
-        {P, Q, 0},   {P, -Q, 0},  {1, 1, 1},   {1, 1, -1},   {1, -1, 1},  {1, -1, -1},  {Q, 0, P},
-        {Q, 0, -P},  {0, P, Q},   {0, P, -Q},  {0, -P, Q},   {0, -P, -Q}, {-Q, 0, P},   {-Q, 0, -P},
-        {-1, 1, 1},  {-1, 1, -1}, {-1, -1, 1}, {-1, -1, -1}, {-P, Q, 0},  {-P, -Q, 0}};
-static const unsigned char dodecahedron_face[] = {
-        8,  14, 12, 6,  2,  9, 3, 7, 13, 15, 10, 4,  6,  12, 16, 11, 17, 13, 7,  5,
-        6,  4,  1,  0,  2,  12, 14, 18, 19, 16, 7,  3,  0, 1, 5, 13, 17, 19, 18, 15,
-        0,  3,  9,  8,  2,  1, 4, 10, 11, 5, 18, 14, 8,  9,  15, 19, 17, 11, 10, 16};
+        {P, Q, 0},  {P, -Q, 0},  {1, 1, 1},   {1, 1, -1},   {1, -1, 1},  {1, -1, -1}, {Q, 0, P},
+        {Q, 0, -P}, {0, P, Q},   {0, P, -Q},  {0, -P, Q},   {0, -P, -Q}, {-Q, 0, P},  {-Q, 0, -P},
+        {-1, 1, 1}, {-1, 1, -1}, {-1, -1, 1}, {-1, -1, -1}, {-P, Q, 0},  {-P, -Q, 0}};
+static const unsigned char dodecahedron_face[] = {8,  14, 12, 6,  2, 9,  3,  7,  13, 15, 10, 4,  6,  12, 16,
+                                                  11, 17, 13, 7,  5, 6,  4,  1,  0,  2,  12, 14, 18, 19, 16,
+                                                  7,  3,  0,  1,  5, 13, 17, 19, 18, 15, 0,  3,  9,  8,  2,
+                                                  1,  4,  10, 11, 5, 18, 14, 8,  9,  15, 19, 17, 11, 10, 16};
 #undef P
 #undef Q
 
@@ -48,11 +49,11 @@ static const unsigned char dodecahedron_face[] = {
 #define T 0.72360679774997896964 /* R cos 36 */
 #define U 0.85065080835203993218 /* R sin 72 */
 #define V 0.52573111211913360603 /* R sin 36 */
-static const double icosahedron_vertex[12][3] = {
-        {1, 0, 0},   {H, R, 0},   {H, S, U},   {H, S, -U},   {H, -T, V}, {H, -T, -V},
-        {-H, T, V},  {-H, T, -V}, {-H, -S, U}, {-H, -S, -U}, {-H, -R, 0}, {-1, 0, 0}};
+static const double icosahedron_vertex[12][3] = {{1, 0, 0},   {H, R, 0},    {H, S, U},   {H, S, -U},
+                                                 {H, -T, V},  {H, -T, -V},  {-H, T, V},  {-H, T, -V},
+                                                 {-H, -S, U}, {-H, -S, -U}, {-H, -R, 0}, {-1, 0, 0}};
 static const unsigned char icosahedron_face[] = {
-        0, 1, 2, 0, 2, 4, 0, 4,  5, 0, 5,  3, 0, 3, 1, 1,  6, 2, 2,  8, 4, 4,  10, 5, 5,  9,  3, 3,  7, 1,
+        0, 1, 2, 0, 2, 4, 0, 4, 5,  0, 5,  3, 0, 3, 1, 1,  6, 2, 2,  8, 4, 4,  10, 5, 5,  9,  3, 3,  7, 1,
         1, 7, 6, 2, 6, 8, 4, 8, 10, 5, 10, 9, 3, 9, 7, 11, 7, 9, 11, 6, 7, 11, 8,  6, 11, 10, 8, 11, 9, 10};
 #undef H
 #undef R
@@ -65,6 +66,7 @@ static const double cube_vertex[8][3] = {{.5, .5, .5},  {.5, .5, -.5},  {.5, -.5
                                          {-.5, .5, .5}, {-.5, .5, -.5}, {-.5, -.5, .5}, {-.5, -.5, -.5}};
 static const unsigned char cube_face[] = {0, 4, 6, 2, 0, 2, 3, 1, 0, 1, 5, 4,
                                           4, 5, 7, 6, 7, 3, 2, 6, 3, 7, 5, 1};
+/* clang-format on */
 
 static const struct polyhedron tetrahedron = {4, 3, 1, tetrahedron_vertex, tetrahedron_face};
 static const struct polyhedron octahedron = {8, 3, 1, octahedron_vertex, octahedron_face};
@@ -126,13 +128,52 @@ static void draw_solid(const char *name, const struct polyhedron *p, float size)
     fgl_shape_end();
 }
 
-void glutSolidCube(double size) { draw_solid("glutSolidCube", &cube, (float)size); }
-void glutWireCube(double size) { draw_wire("glutWireCube", &cube, (float)size); }
-void glutSolidTetrahedron(void) { draw_solid("glutSolidTetrahedron", &tetrahedron, 1); }
-void glutWireTetrahedron(void) { draw_wire("glutWireTetrahedron", &tetrahedron, 1); }
-void glutSolidOctahedron(void) { draw_solid("glutSolidOctahedron", &octahedron, 1); }
-void glutWireOctahedron(void) { draw_wire("glutWireOctahedron", &octahedron, 1); }
-void glutSolidDodecahedron(void) { draw_solid("glutSolidDodecahedron", &dodecahedron, 1); }
-void glutWireDodecahedron(void) { draw_wire("glutWireDodecahedron", &dodecahedron, 1); }
-void glutSolidIcosahedron(void) { draw_solid("glutSolidIcosahedron", &icosahedron, 1); }
-void glutWireIcosahedron(void) { draw_wire("glutWireIcosahedron", &icosahedron, 1); }
+void glutSolidCube(double size)
+{
+    draw_solid("glutSolidCube", &cube, (float)size);
+}
+
+void glutWireCube(double size)
+{
+    draw_wire("glutWireCube", &cube, (float)size);
+}
+
+void glutSolidTetrahedron(void)
+{
+    draw_solid("glutSolidTetrahedron", &tetrahedron, 1);
+}
+
+void glutWireTetrahedron(void)
+{
+    draw_wire("glutWireTetrahedron", &tetrahedron, 1);
+}
+
+void glutSolidOctahedron(void)
+{
+    draw_solid("glutSolidOctahedron", &octahedron, 1);
+}
+
+void glutWireOctahedron(void)
+{
+    draw_wire("glutWireOctahedron", &octahedron, 1);
+}
+
+void glutSolidDodecahedron(void)
+{
+    draw_solid("glutSolidDodecahedron", &dodecahedron, 1);
+}
+
+void glutWireDodecahedron(void)
+{
+    draw_wire("glutWireDodecahedron", &dodecahedron, 1);
+}
+
+void glutSolidIcosahedron(void)
+{
+    draw_solid("glutSolidIcosahedron", &icosahedron, 1);
+}
+
+void glutWireIcosahedron(void)
+{
+    draw_wire("glutWireIcosahedron", &icosahedron, 1);
+}

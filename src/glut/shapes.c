@@ -19,7 +19,8 @@ bool fgl_shape_reserve(struct shape_mesh *mesh, size_t vertices, size_t indices,
         fgl_glut_warn("a shape of %zu vertices is too large", vertices);
         return false;
     }
-    size_t size = 2 * vertices * sizeof(float[3]) + indices * sizeof(GLuint) + (size_t)circle_points * sizeof(float[2]);
+    size_t size = 2 * vertices * sizeof(float[3]) + indices * sizeof(GLuint) +
+                  (size_t)circle_points * sizeof(float[2]);
     if (size > scratch.size) {
         unsigned char *bytes = realloc(scratch.bytes, size);
         if (!bytes) {
@@ -56,6 +57,8 @@ void fgl_shape_draw_elements(GLenum mode, const GLuint *index, int count, int le
         glDrawElements(mode, length, GL_UNSIGNED_INT, index + (size_t)i * (size_t)length);
 }
 
+static const float PI = 3.14159265358979323846f, TWO_PI = 6.28318530717958647692f;
+
 static void set_vector(float out[3], float x, float y, float z)
 {
     out[0] = x;
@@ -63,18 +66,21 @@ static void set_vector(float out[3], float x, float y, float z)
     out[2] = z;
 }
 
-/* n points of a circle, in float throughout, as the tessellation asks. */
-static void make_circle(float (*circle)[2], int n, float step)
+/* Cosine and sine of step i around a circle cut in n parts; negative n runs clockwise. freeglut's roundings:
+ * the step and the angle in float, the functions in double, their results to float. +0 for sin 0 either way.
+ */
+static void circle_point(int i, int n, float whole, float *cosine, float *sine)
 {
-    circle[0][0] = 1;
-    circle[0][1] = 0; /* +0 for either direction */
-    for (int i = 1; i < n; i++) {
-        circle[i][0] = (float)cos(step * (float)i);
-        circle[i][1] = (float)sin(step * (float)i);
-    }
+    float angle = whole / (float)n * (float)i;
+    *cosine = (float)cos((double)angle);
+    *sine = i ? (float)sin((double)angle) : 0;
 }
 
-static const float PI = 3.14159265358979323846f;
+static void make_circle(float (*circle)[2], int n)
+{
+    for (int i = 0; i < n; i++)
+        circle_point(i, -n, TWO_PI, &circle[i][0], &circle[i][1]);
+}
 
 /* Strips between two rings of n vertices that start at `upper` and `lower`; closed by repeating the start. */
 static GLuint *put_ring_strip(GLuint *out, GLuint first, GLuint second, int n)
@@ -108,13 +114,13 @@ static bool make_sphere(struct shape_mesh *m, float radius, int slices, int stac
     size_t indices = 2 * ((size_t)slices + 1) * (size_t)stacks + vertices;
     if (!fgl_shape_reserve(m, vertices, indices, slices))
         return false;
-    make_circle(m->circle, slices, -2 * PI / (float)slices);
+    make_circle(m->circle, slices);
     size_t v = 0;
     set_vector(m->position[v], 0, 0, radius);
     set_vector(m->normal[v++], 0, 0, 1);
     for (int i = 1; i < stacks; i++) {
-        float angle = PI / (float)stacks * (float)i;
-        float z = (float)cos(angle), r = (float)sin(angle);
+        float z, r;
+        circle_point(i, stacks, PI, &z, &r);
         for (int j = 0; j < slices; j++, v++) {
             float c = m->circle[j][0], s = m->circle[j][1];
             set_vector(m->normal[v], c * r, s * r, z);
@@ -177,7 +183,7 @@ static bool make_cone(struct shape_mesh *m, float base, float height, int slices
     size_t indices = 2 * ((size_t)slices + 1) * ((size_t)stacks + 1) + 2 * (size_t)slices;
     if (!fgl_shape_reserve(m, vertices, indices, slices))
         return false;
-    make_circle(m->circle, slices, -2 * PI / (float)slices);
+    make_circle(m->circle, slices);
     float slant = sqrtf(height * height + base * base);
     float normal_xy = height / slant, normal_z = base / slant;
     float z_step = height / (float)stacks, r_step = base / (float)stacks;
@@ -247,11 +253,11 @@ static bool make_torus(struct shape_mesh *m, float inner, float outer, int sides
     size_t vertices = (size_t)sides * (size_t)rings;
     if (!fgl_shape_reserve(m, vertices, 2 * ((size_t)rings + 1) * (size_t)sides, sides))
         return false;
-    make_circle(m->circle, sides, -2 * PI / (float)sides);
+    make_circle(m->circle, sides);
     size_t v = 0;
     for (int j = 0; j < rings; j++) {
-        float angle = 2 * PI / (float)rings * (float)j;
-        float c_ring = (float)cos(angle), s_ring = (float)sin(angle);
+        float c_ring, s_ring;
+        circle_point(j, rings, TWO_PI, &c_ring, &s_ring);
         for (int i = 0; i < sides; i++, v++) {
             float c = m->circle[i][0], s = m->circle[i][1];
             float r = outer + c * inner;

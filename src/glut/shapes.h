@@ -9,9 +9,9 @@
 
 struct shape_mesh {
     float (*position)[3];
-    float (*normal)[3];  /* unit length */
-    GLuint *index;       /* strips or loops one after the other; each function says how many and how long */
-    float (*circle)[2];  /* cosine and sine table of the rings */
+    float (*normal)[3]; /* unit length */
+    GLuint *index;      /* strips or loops one after the other; each function says how many and how long */
+    float (*circle)[2]; /* cosine and sine table of the rings */
 };
 
 /* Makes room for a mesh. False, with a message, when the size overflows or memory is short. */

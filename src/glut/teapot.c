@@ -1,6 +1,6 @@
 /* Martin Newell's teapot (University of Utah, 1975): ten bicubic Bezier patches, copied by symmetry to 32 and
- * evaluated on a regular grid, with the operations of freeglut 3.4 in its order, so that every float is equal.
- * The data is z up; GLUT draws it y up, centred in height, at half its size. */
+ * evaluated on a regular grid, with the operations of freeglut 3.4 in its order, so that every float is
+ * equal. The data is z up; GLUT draws it y up, centred in height, at half its size. */
 #include <math.h>
 #include <string.h>
 #include <GL/glut.h>
@@ -14,40 +14,69 @@ struct patch {
     float point[16][3];
 };
 
+/* clang-format off: tables stand in columns */
 /* A ring of the body: radius r at height z; Newell's quarter circle has its inner points at 0.56 r. */
-#define RING(r, k, z) {r, 0, z}, {r, -(k), z}, {k, -(r), z}, {0, -(r), z}
-#define BASE_RING(r, k, z) {0, -(r), z}, {k, -(r), z}, {r, -(k), z}, {r, 0, z}
+#define RING(r, k, z)                                                                                        \
+    {r, 0, z}, {r, -(k), z}, {k, -(r), z},                                                                   \
+    {                                                                                                        \
+        0, -(r), z                                                                                           \
+    }
+#define BASE_RING(r, k, z)                                                                                   \
+    {0, -(r), z}, {k, -(r), z}, {r, -(k), z},                                                                \
+    {                                                                                                        \
+        r, 0, z                                                                                              \
+    }
 /* A row across the handle or the spout: out along y and back. */
-#define ROW(x0, z0, x1, z1, y) {x0, 0, z0}, {x0, -(y), z0}, {x1, -(y), z1}, {x1, 0, z1}
+#define ROW(x0, z0, x1, z1, y)                                                                               \
+    {x0, 0, z0}, {x0, -(y), z0}, {x1, -(y), z1},                                                             \
+    {                                                                                                        \
+        x1, 0, z1                                                                                            \
+    }
 
 static const struct patch patches[PATCHES] = {
         /* rim */
-        {4, {RING(1.4f, 0.784f, 2.4f), RING(1.3375f, 0.749f, 2.53125f), RING(1.4375f, 0.805f, 2.53125f),
-             RING(1.5f, 0.84f, 2.4f)}},
+        {4,
+         {RING(1.4f, 0.784f, 2.4f), RING(1.3375f, 0.749f, 2.53125f), RING(1.4375f, 0.805f, 2.53125f),
+          RING(1.5f, 0.84f, 2.4f)}},
         /* body, upper and lower */
-        {4, {RING(1.5f, 0.84f, 2.4f), RING(1.75f, 0.98f, 1.875f), RING(2.0f, 1.12f, 1.35f),
-             RING(2.0f, 1.12f, 0.9f)}},
-        {4, {RING(2.0f, 1.12f, 0.9f), RING(2.0f, 1.12f, 0.45f), RING(1.5f, 0.84f, 0.225f),
-             RING(1.5f, 0.84f, 0.15f)}},
+        {4,
+         {RING(1.5f, 0.84f, 2.4f), RING(1.75f, 0.98f, 1.875f), RING(2.0f, 1.12f, 1.35f),
+          RING(2.0f, 1.12f, 0.9f)}},
+        {4,
+         {RING(2.0f, 1.12f, 0.9f), RING(2.0f, 1.12f, 0.45f), RING(1.5f, 0.84f, 0.225f),
+          RING(1.5f, 0.84f, 0.15f)}},
         /* knob and lid; two points of the top are 0.002 off the axis in Newell's data */
-        {4, {{0, 0, 3.15f}, {0, -0.002f, 3.15f}, {0.002f, 0, 3.15f}, {0, 0, 3.15f},
-             RING(0.8f, 0.45f, 3.15f), RING(0, 0, 2.85f), RING(0.2f, 0.112f, 2.7f)}},
-        {4, {RING(0.2f, 0.112f, 2.7f), RING(0.4f, 0.224f, 2.55f), RING(1.3f, 0.728f, 2.55f),
-             RING(1.3f, 0.728f, 2.4f)}},
+        {4,
+         {{0, 0, 3.15f},
+          {0, -0.002f, 3.15f},
+          {0.002f, 0, 3.15f},
+          {0, 0, 3.15f},
+          RING(0.8f, 0.45f, 3.15f),
+          RING(0, 0, 2.85f),
+          RING(0.2f, 0.112f, 2.7f)}},
+        {4,
+         {RING(0.2f, 0.112f, 2.7f), RING(0.4f, 0.224f, 2.55f), RING(1.3f, 0.728f, 2.55f),
+          RING(1.3f, 0.728f, 2.4f)}},
         /* bottom, seen from below */
-        {4, {BASE_RING(0, 0, 0), BASE_RING(1.425f, 0.798f, 0), BASE_RING(1.5f, 0.84f, 0.075f),
-             BASE_RING(1.5f, 0.84f, 0.15f)}},
+        {4,
+         {BASE_RING(0, 0, 0), BASE_RING(1.425f, 0.798f, 0), BASE_RING(1.5f, 0.84f, 0.075f),
+          BASE_RING(1.5f, 0.84f, 0.15f)}},
         /* handle, upper and lower */
-        {2, {ROW(-1.6f, 2.025f, -1.5f, 2.25f, 0.3f), ROW(-2.3f, 2.025f, -2.5f, 2.25f, 0.3f),
-             ROW(-2.7f, 2.025f, -3.0f, 2.25f, 0.3f), ROW(-2.7f, 1.8f, -3.0f, 1.8f, 0.3f)}},
-        {2, {ROW(-2.7f, 1.8f, -3.0f, 1.8f, 0.3f), ROW(-2.7f, 1.575f, -3.0f, 1.35f, 0.3f),
-             ROW(-2.5f, 1.125f, -2.65f, 0.9375f, 0.3f), ROW(-2.0f, 0.9f, -1.9f, 0.6f, 0.3f)}},
+        {2,
+         {ROW(-1.6f, 2.025f, -1.5f, 2.25f, 0.3f), ROW(-2.3f, 2.025f, -2.5f, 2.25f, 0.3f),
+          ROW(-2.7f, 2.025f, -3.0f, 2.25f, 0.3f), ROW(-2.7f, 1.8f, -3.0f, 1.8f, 0.3f)}},
+        {2,
+         {ROW(-2.7f, 1.8f, -3.0f, 1.8f, 0.3f), ROW(-2.7f, 1.575f, -3.0f, 1.35f, 0.3f),
+          ROW(-2.5f, 1.125f, -2.65f, 0.9375f, 0.3f), ROW(-2.0f, 0.9f, -1.9f, 0.6f, 0.3f)}},
         /* spout and its lip */
-        {2, {ROW(1.7f, 1.425f, 1.7f, 0.6f, 0.66f), ROW(2.6f, 1.425f, 3.1f, 0.825f, 0.66f),
-             ROW(2.3f, 2.1f, 2.4f, 2.025f, 0.25f), ROW(2.7f, 2.4f, 3.3f, 2.4f, 0.25f)}},
-        {2, {ROW(2.7f, 2.4f, 3.3f, 2.4f, 0.25f), ROW(2.8f, 2.475f, 3.525f, 2.49375f, 0.25f),
-             ROW(2.9f, 2.475f, 3.45f, 2.5125f, 0.15f), ROW(2.8f, 2.4f, 3.2f, 2.4f, 0.15f)}},
+        {2,
+         {ROW(1.7f, 1.425f, 1.7f, 0.6f, 0.66f), ROW(2.6f, 1.425f, 3.1f, 0.825f, 0.66f),
+          ROW(2.3f, 2.1f, 2.4f, 2.025f, 0.25f), ROW(2.7f, 2.4f, 3.3f, 2.4f, 0.25f)}},
+        {2,
+         {ROW(2.7f, 2.4f, 3.3f, 2.4f, 0.25f), ROW(2.8f, 2.475f, 3.525f, 2.49375f, 0.25f),
+          ROW(2.9f, 2.475f, 3.45f, 2.5125f, 0.15f), ROW(2.8f, 2.4f, 3.2f, 2.4f, 0.15f)}},
 };
+/* clang-format on */
 enum { KNOB_PATCH = 3, BOTTOM_PATCH = 5 };
 
 /* Cubic Bernstein polynomials and their derivatives at x. */
@@ -124,15 +153,15 @@ static void copy_grid(int copies, int copy, int grid, const float (*in)[3], floa
 {
     for (int k = 0; k < grid * grid; k++) {
         const float *p = in[copies == 2 ? (grid - 1 - k / grid) * grid + k % grid : k];
-        float turned[4][3] = {{p[0], p[1], p[2]}, {p[2], p[1], -p[0]}, {-p[0], p[1], -p[2]},
-                              {-p[2], p[1], p[0]}};
+        float turned[4][3] = {
+                {p[0], p[1], p[2]}, {p[2], p[1], -p[0]}, {-p[0], p[1], -p[2]}, {-p[2], p[1], p[0]}};
         float mirrored[3] = {p[0], p[1], -p[2]};
         memcpy(out[k], copies == 2 ? mirrored : turned[copy], sizeof(float[3]));
     }
 }
 
-/* All 32 patches. Like freeglut, normals are made by the first call and kept: their last bits are those of the
- * first scale that the program draws. A zero first scale uses 1. */
+/* All 32 patches. Like freeglut, normals are made by the first call and kept: their last bits are those of
+ * the first scale that the program draws. A zero first scale uses 1. */
 static void tessellate(float scale, int grid, float (*position)[3], float (*normal)[3])
 {
     int size = grid * grid;
