@@ -44,7 +44,9 @@ static bool is_stencil_op(GLenum op)
     case GL_REPLACE:
     case GL_INCR:
     case GL_DECR:
-    case GL_INVERT: return true;
+    case GL_INVERT:
+    case GL_INCR_WRAP:
+    case GL_DECR_WRAP: return true;
     default: return false;
     }
 }
@@ -74,8 +76,7 @@ void fgl_exec_DepthMask(struct context *ctx, GLboolean flag)
     SET(ctx, DIRTY_FRAGMENT, ctx->s.depth.depth_writemask, flag != GL_FALSE);
 }
 
-/* The factors of GL 1.5, 4.1.7 "Blending", tables 4.1 and 4.2; those of a constant colour come with GL 1.4's
- * glBlendColor. */
+/* GL 1.5, 4.1.7 "Blending": for the stored colour; the fragment's has GL_SRC_ALPHA_SATURATE besides. */
 static bool is_blend_factor(GLenum factor)
 {
     switch (factor) {
@@ -88,7 +89,11 @@ static bool is_blend_factor(GLenum factor)
     case GL_SRC_ALPHA:
     case GL_ONE_MINUS_SRC_ALPHA:
     case GL_DST_ALPHA:
-    case GL_ONE_MINUS_DST_ALPHA: return true;
+    case GL_ONE_MINUS_DST_ALPHA:
+    case GL_CONSTANT_COLOR:
+    case GL_ONE_MINUS_CONSTANT_COLOR:
+    case GL_CONSTANT_ALPHA:
+    case GL_ONE_MINUS_CONSTANT_ALPHA: return true;
     default: return false;
     }
 }

@@ -2,6 +2,7 @@
 #include "api/immediate.h"
 #include "api/errors.h"
 #include "api/list.h"
+#include "api/material.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -45,27 +46,6 @@ float *fgl_current_attr(struct context *ctx, int attr)
     return ctx->s.lighting.material[(attr - ATTR_MATERIAL) / 2][(attr - ATTR_MATERIAL) % 2];
 }
 
-/* GL 1.5, 2.14.3 "ColorMaterial": the tracked parameters are the current colour. */
-void fgl_track_color(struct context *ctx)
-{
-    struct lighting_state *l = &ctx->s.lighting;
-    for (int face = 0; face < 2; face++) {
-        if (l->color_material_face != GL_FRONT_AND_BACK && l->color_material_face != (face ? GL_BACK : GL_FRONT))
-            continue;
-        const GLenum p = l->color_material_parameter;
-        const size_t bytes = sizeof l->material[0][0];
-        if (p == GL_AMBIENT || p == GL_AMBIENT_AND_DIFFUSE)
-            memcpy(l->material[MAT_AMBIENT][face], ctx->s.current.attr[ATTR_COLOR], bytes);
-        if (p == GL_DIFFUSE || p == GL_AMBIENT_AND_DIFFUSE)
-            memcpy(l->material[MAT_DIFFUSE][face], ctx->s.current.attr[ATTR_COLOR], bytes);
-        if (p == GL_SPECULAR)
-            memcpy(l->material[MAT_SPECULAR][face], ctx->s.current.attr[ATTR_COLOR], bytes);
-        if (p == GL_EMISSION)
-            memcpy(l->material[MAT_EMISSION][face], ctx->s.current.attr[ATTR_COLOR], bytes);
-    }
-    ctx->dirty |= DIRTY_MATERIAL;
-}
-
 void fgl_format_to_current(struct context *ctx, const struct vertex_format *format, const float *vertex)
 {
     bool color_changed = false;
@@ -83,7 +63,7 @@ void fgl_format_to_current(struct context *ctx, const struct vertex_format *form
         color_changed = color_changed || a == ATTR_COLOR;
     }
     if (color_changed && ctx->s.lighting.color_material)
-        fgl_track_color(ctx);
+        fgl_material_track_color(ctx);
 }
 
 void fgl_format_source(const struct vertex_format *format, const float *store, struct vertex_source *source)

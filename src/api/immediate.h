@@ -73,8 +73,6 @@ void fgl_immediate_reset_format(struct immediate *im);
 void fgl_format_source(const struct vertex_format *format, const float *store, struct vertex_source *source);
 /* Makes the attributes of one vertex in the given format the current values. */
 void fgl_format_to_current(struct context *ctx, const struct vertex_format *format, const float *vertex);
-/* Copies the current colour to the material parameters that follow it. */
-void fgl_track_color(struct context *ctx);
 /* The current value of an attribute, 4 floats. */
 float *fgl_current_attr(struct context *ctx, int attr);
 

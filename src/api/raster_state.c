@@ -62,6 +62,8 @@ static GLenum *find_hint(struct hint_state *h, GLenum target)
     case GL_LINE_SMOOTH_HINT: return &h->line_smooth_hint;
     case GL_POLYGON_SMOOTH_HINT: return &h->polygon_smooth_hint;
     case GL_FOG_HINT: return &h->fog_hint;
+    case GL_GENERATE_MIPMAP_HINT: return &h->generate_mipmap_hint;
+    case GL_TEXTURE_COMPRESSION_HINT: return &h->texture_compression_hint;
     default: return NULL;
     }
 }

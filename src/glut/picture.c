@@ -73,7 +73,9 @@ static bool write_png(FILE *out, const unsigned char *rgba, int width, int heigh
 static bool write_pam(FILE *out, const unsigned char *rgba, int width, int height)
 {
     size_t row = 4 * (size_t)width;
-    fprintf(out, "P7\nWIDTH %d\nHEIGHT %d\nDEPTH 4\nMAXVAL 255\nTUPLTYPE RGB_ALPHA\nENDHDR\n", width, height);
+    const GLubyte *renderer = glGetString(GL_RENDERER); /* so that a picture says who drew it */
+    fprintf(out, "P7\n# GL_RENDERER: %s\n", renderer ? (const char *)renderer : "none");
+    fprintf(out, "WIDTH %d\nHEIGHT %d\nDEPTH 4\nMAXVAL 255\nTUPLTYPE RGB_ALPHA\nENDHDR\n", width, height);
     for (int y = height - 1; y >= 0; y--)
         if (fwrite(rgba + (size_t)y * row, 1, row, out) != row)
             return false;

@@ -83,8 +83,6 @@ static void derive_materials(struct vertex_plan *plan, const struct server_state
             *source = -1;
             if (follows && plan->varying >> ATTR_COLOR & 1)
                 *source = ATTR_COLOR;
-            else if (follows)
-                memcpy(light->material[p][face], s->current.attr[ATTR_COLOR], 4 * sizeof(float));
             else if (plan->varying >> own & 1)
                 *source = own;
             light->varying |= *source >= 0 && face < faces && p != MAT_INDEXES;
@@ -131,6 +129,7 @@ static void derive_geometry(struct light_derived *out, const struct light *light
 
     memcpy(out->spot_direction, light->spot_direction, sizeof out->spot_direction);
     normalize(out->spot_direction);
+    normalize(out->spot_direction); /* OSMesa rule: twice, which can move the last bit */
     out->spot_exponent = light->spot_exponent;
     out->cos_cutoff = fmaxf(cosf((float)((double)light->spot_cutoff * radians_per_degree)), 0.0f);
     out->k0 = light->constant_attenuation;
