@@ -34,14 +34,11 @@ static void array_source(const struct context *ctx, struct vertex_source *source
 /* One element of every enabled array through the commands of immediate mode, the position last. */
 static void array_element(struct context *ctx, const struct vertex_source *source, uint32_t i)
 {
-    struct vertex_batch *b = &ctx->pipeline->batch;
-    fgl_fetch(b, source, ~0u, i, 1);
     float v[4];
     for (int a = ATTR_COUNT - 1; a >= 0; a--) {
         if (!(source->varying & (1u << a)))
             continue;
-        for (int k = 0; k < 4; k++)
-            v[k] = b->in[a].c[k][0];
+        fgl_fetch_one(&source->attr[a], a, i, v);
         if (a == ATTR_POSITION)
             fgl_vertex(ctx, source->attr[a].size, v);
         else

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { PARALLEL_BATCHES = 4 };
+
 struct pipeline *fgl_pipeline_create(void)
 {
     struct pipeline *p = calloc(1, sizeof *p);
@@ -24,6 +26,9 @@ void fgl_pipeline_destroy(struct pipeline *p)
     free(p->cache.outcode);
     free(p->cache.edge_flag);
     free(p->elements);
+    fgl_workers_destroy(p->workers);
+    for (int i = 0; i < FGL_MAX_WORKERS; i++)
+        free(p->batch[i]);
     free(p);
 }
 
@@ -53,9 +58,8 @@ static bool reserve(struct vertex_cache *c, int n, int stride)
 }
 
 /* The batch's results into the cache from vertex `at` on. */
-static void store_batch(struct pipeline *p, int at)
+static void store_batch(struct pipeline *p, const struct vertex_batch *b, int at)
 {
-    const struct vertex_batch *b = &p->batch;
     struct vertex_cache *c = &p->cache;
     fgl_emit(&p->plan.emit, b, c->record + (size_t)at * (size_t)p->plan.emit.stride);
     memcpy(c->outcode + at, b->outcode, (size_t)b->n * sizeof *c->outcode);
@@ -70,14 +74,55 @@ static void store_batch(struct pipeline *p, int at)
         c->edge_flag[at + i] = varying ? b->in[ATTR_EDGE_FLAG].c[0][i] : p->plan.vertex.constant[ATTR_EDGE_FLAG][0];
 }
 
-/* The vertex stage over vertices first .. first+n of the source, to the cache's 0..n. */
-static void run_vertices(struct pipeline *p, const struct vertex_source *source, uint32_t first, int n)
+/* The vertices of a draw: first .. first+n of the source, to the cache's 0..n. */
+struct vertex_job {
+    struct pipeline *p;
+    const struct vertex_source *source;
+    uint32_t first;
+    int n;
+};
+
+static void run_batch(void *arg, int item, int worker)
 {
-    for (int at = 0; at < n; at += FGL_BATCH_SIZE) {
-        fgl_fetch(&p->batch, source, p->plan.fetch, first + (uint32_t)at, fgl_min(n - at, FGL_BATCH_SIZE));
-        fgl_vertex_run(&p->plan.vertex, &p->batch, p->general);
-        store_batch(p, at);
+    const struct vertex_job *job = arg;
+    struct pipeline *p = job->p;
+    struct vertex_batch *b = p->batch[worker];
+    const int at = item * FGL_BATCH_SIZE;
+    fgl_fetch(b, job->source, p->plan.fetch, job->first + (uint32_t)at, fgl_min(job->n - at, FGL_BATCH_SIZE));
+    fgl_vertex_run(&p->plan.vertex, b, p->general);
+    store_batch(p, b, at);
+}
+
+/* Workers for a draw of so many batches: the calling thread alone unless there are several, as waking others costs microseconds. */
+static int workers_for(struct pipeline *p, int batches)
+{
+    if (batches >= PARALLEL_BATCHES && !p->workers)
+        p->workers = fgl_workers_create(fgl_workers_default());
+    const int count = batches >= PARALLEL_BATCHES && p->workers ? fgl_workers_count(p->workers) : 1;
+    for (int i = 0; i < count; i++)
+        if (!p->batch[i] && !(p->batch[i] = calloc(1, sizeof *p->batch[i])))
+            return i; /* those that have a batch */
+    return count;
+}
+
+static bool run_vertices(struct pipeline *p, const struct vertex_source *source, uint32_t first, int n)
+{
+    struct vertex_job job = {p, source, first, n};
+    const int batches = (n + FGL_BATCH_SIZE - 1) / FGL_BATCH_SIZE;
+    const int workers = workers_for(p, batches);
+    if (workers > 1 && workers == fgl_workers_count(p->workers)) {
+        fgl_workers_run(p->workers, batches, run_batch, &job);
+        return true;
     }
+    for (int i = 0; workers && i < batches; i++)
+        run_batch(&job, i, 0);
+    return workers > 0;
+}
+
+static void out_of_memory(struct context *ctx)
+{
+    if (ctx->error == GL_NO_ERROR)
+        ctx->error = GL_OUT_OF_MEMORY;
 }
 
 void fgl_draw(struct context *ctx, const struct vertex_source *source, const struct draw_prim *prims, int n,
@@ -91,12 +136,14 @@ void fgl_draw(struct context *ctx, const struct vertex_source *source, const str
         return;
     const int vertices = (int)(max_index - min_index + 1);
     if (!reserve(&p->cache, vertices, p->plan.emit.stride)) {
-        if (ctx->error == GL_NO_ERROR)
-            ctx->error = GL_OUT_OF_MEMORY;
+        out_of_memory(ctx);
         return;
     }
     ctx->framebuffer->drawn = true;
-    run_vertices(p, source, min_index, vertices);
+    if (!run_vertices(p, source, min_index, vertices)) {
+        out_of_memory(ctx);
+        return;
+    }
     for (int i = 0; i < n; i++)
         fgl_assemble(p, &prims[i], elements, min_index, source->compiled);
 }

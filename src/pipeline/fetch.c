@@ -63,6 +63,16 @@ static void fetch_component(float *to, const char *from, const struct attr_sourc
     }
 }
 
+void fgl_fetch_one(const struct attr_source *a, int attr, uint32_t i, float v[4])
+{
+    const char *from = (const char *)a->pointer + (size_t)i * (size_t)a->stride;
+    for (int c = 0; c < 4; c++) {
+        v[c] = c == 3 ? 1.0f : 0.0f;
+        if (c < a->size)
+            fetch_component(&v[c], from + c * component_bytes(a->type), a, 1, is_normalized(attr));
+    }
+}
+
 void fgl_fetch(struct vertex_batch *batch, const struct vertex_source *source, uint32_t attributes, uint32_t first, int n)
 {
     batch->n = n;

@@ -4,6 +4,7 @@
 #define FGL_PIPELINE_PIPELINE_H
 
 #include "fragment/fragment.h"
+#include "base/workers.h"
 #include "pipeline/draw.h"
 #include "raster/raster.h"
 #include "vertex/emit.h"
@@ -35,8 +36,9 @@ struct pipeline {
     struct plan plan;
     bool general;    /* FIXEDGL_PATH=general */
     bool print_plan; /* FIXEDGL_DEBUG=plan */
-    struct vertex_batch batch;
     struct vertex_cache cache;
+    struct workers *workers; /* started by the first large draw */
+    struct vertex_batch *batch[FGL_MAX_WORKERS]; /* each worker's, allocated when first used */
     uint32_t *elements; /* work space of glDrawElements */
     int elements_capacity;
 };
@@ -53,6 +55,9 @@ void fgl_plan_print(const struct plan *plan);
 
 /* fetch.c: vertices first .. first+n of the source into the batch; n <= FGL_BATCH_SIZE. Only the given attributes. */
 void fgl_fetch(struct vertex_batch *batch, const struct vertex_source *source, uint32_t attributes, uint32_t first, int n);
+
+/* One attribute of vertex i. */
+void fgl_fetch_one(const struct attr_source *a, int attr, uint32_t i, float v[4]);
 
 /* assemble.c: the primitive's lines, points and triangles to the rasterizer. Vertex i is the cache's number i, or elements[i] - base. */
 void fgl_assemble(struct pipeline *p, const struct draw_prim *prim, const uint32_t *elements, uint32_t base, bool compiled);
