@@ -14,6 +14,7 @@ static FGL_ALWAYS_INLINE uint32_t norm_mul(uint32_t a, uint32_t b, uint32_t max)
 }
 
 #define CHANNEL uint32_t
+#define FACTOR_OUT false
 #define T(name) norm_##name
 #define MUL(a, b) norm_mul(a, b, max)
 #define COMPLEMENT(a) (max - (a))
@@ -21,7 +22,9 @@ static FGL_ALWAYS_INLINE uint32_t norm_mul(uint32_t a, uint32_t b, uint32_t max)
 #define SUB(a, b) ((a) > (b) ? (a) - (b) : 0)
 #include "fragment/blend_template.h"
 
+/* OSMesa rule: float colour blends in float, unclamped. */
 #define CHANNEL float
+#define FACTOR_OUT true
 #define T(name) float_##name
 #define MUL(a, b) ((a) * (b))
 #define COMPLEMENT(a) (max - (a))

@@ -1,6 +1,6 @@
 /* Blending (GL 1.5, 4.1.7 "Blending") for one type of channel. Before each inclusion define CHANNEL, the type, T(name), which makes the
- * names below its own, and, for values a and b, MUL(a, b), COMPLEMENT(a) = 1 - a, ADD(a, b) and SUB(a, b). All have the parameter
- * `max`, the value of 1.0. Alpha is channel 3. */
+ * names below its own, and, for values a and b, MUL(a, b), COMPLEMENT(a) = 1 - a, ADD(a, b) and SUB(a, b); `max` is the value of 1.0.
+ * FACTOR_OUT: a factor that source and destination have in common multiplies their sum. Alpha is channel 3. */
 
 /* The factor of channel c, for each fragment. */
 static inline void T(factor)(GLenum factor, int c, const CHANNEL src[4][FRAGMENT_GROUP], const CHANNEL dst[4][FRAGMENT_GROUP],
@@ -44,16 +44,16 @@ static inline void T(blend_channel)(const struct color_buffer_state *s, int c, c
         FOR_GROUP(i) out[i] = src[c][i] > dst[c][i] ? src[c][i] : dst[c][i];
         return;
     }
-    T(factor)(c == 3 ? s->blend_src_alpha : s->blend_src_rgb, c, src, dst, constant, max, sf);
-    T(factor)(c == 3 ? s->blend_dst_alpha : s->blend_dst_rgb, c, src, dst, constant, max, df);
-    FOR_GROUP(i) sf[i] = MUL(src[c][i], sf[i]);
-    FOR_GROUP(i) df[i] = MUL(dst[c][i], df[i]);
-    if (s->blend_equation == GL_FUNC_SUBTRACT)
-        FOR_GROUP(i) out[i] = SUB(sf[i], df[i]);
-    else if (s->blend_equation == GL_FUNC_REVERSE_SUBTRACT)
-        FOR_GROUP(i) out[i] = SUB(df[i], sf[i]);
-    else
-        FOR_GROUP(i) out[i] = ADD(sf[i], df[i]);
+    const GLenum src_factor = c == 3 ? s->blend_src_alpha : s->blend_src_rgb, dst_factor = c == 3 ? s->blend_dst_alpha : s->blend_dst_rgb;
+    const bool common = FACTOR_OUT && s->blend_src_rgb == s->blend_dst_rgb && s->blend_src_alpha == s->blend_dst_alpha;
+    T(factor)(src_factor, c, src, dst, constant, max, sf);
+    T(factor)(dst_factor, c, src, dst, constant, max, df);
+    FOR_GROUP(i) {
+        const CHANNEL a = common ? src[c][i] : MUL(src[c][i], sf[i]), b = common ? dst[c][i] : MUL(dst[c][i], df[i]);
+        out[i] = s->blend_equation == GL_FUNC_SUBTRACT ? SUB(a, b) : s->blend_equation == GL_FUNC_ADD ? ADD(a, b) : SUB(b, a);
+    }
+    if (common)
+        FOR_GROUP(i) out[i] = MUL(out[i], sf[i]);
 }
 
 static inline void T(blend)(const struct color_buffer_state *s, CHANNEL src[4][FRAGMENT_GROUP], const CHANNEL dst[4][FRAGMENT_GROUP],
@@ -66,6 +66,7 @@ static inline void T(blend)(const struct color_buffer_state *s, CHANNEL src[4][F
 }
 
 #undef CHANNEL
+#undef FACTOR_OUT
 #undef T
 #undef MUL
 #undef COMPLEMENT

@@ -87,9 +87,9 @@ static inline void apply_smoothing(struct fragments *f, const struct planes *p)
         FOR_GROUP(i) f->color[3][i] *= saturate(s[1][i] - fabsf(s[0][i])) * saturate(s[3][i] - fabsf(s[2][i]));
     } else {
         FOR_GROUP(i) {
-            const float d2 = s[0][i] * s[0][i] + s[1][i] * s[1][i];
-            f->live[i] &= -(d2 <= 1.0f);
-            f->color[3][i] *= d2 < s[2][i] ? (1.0f - d2) / (1.0f - s[2][i]) : 1.0f;
+            const float d2 = s[0][i] * s[0][i] + s[1][i] * s[1][i], inner2 = s[2][i], one = s[3][i];
+            f->live[i] &= -(d2 <= one);
+            f->color[3][i] *= d2 < inner2 ? (one - d2) * (1.0f / (one - inner2)) : one;
         }
     }
 }

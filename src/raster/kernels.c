@@ -41,6 +41,8 @@ static void setup_smooth_planes(const struct raster_plan *plan, struct planes *p
     planes->stipple = NULL;
 }
 
+enum { CULL_GROUP = 64 };
+
 /* Snaps, orients, culls, covers; then set-up, but only if a pixel is covered, and the fragments. */
 static FGL_ALWAYS_INLINE void draw_triangle(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2,
                                             const float *provoking, const enum smoothing smoothing)
@@ -96,6 +98,58 @@ static void smooth_triangle(const struct raster_plan *plan, const float *v0, con
         draw_triangle(plan, v0, v1, v2, provoking, SMOOTH_POINT);
 }
 
+static FGL_ALWAYS_INLINE double min3(double a, double b, double c) { return a < b ? (a < c ? a : c) : (b < c ? b : c); }
+static FGL_ALWAYS_INLINE double max3(double a, double b, double c) { return a > b ? (a > c ? a : c) : (b > c ? b : c); }
+
+/* The bounding box of one triangle within bounds, empty when it is culled; the same arithmetic as draw_triangle's, for many at a time. */
+static FGL_ALWAYS_INLINE void cull_boxes(const struct raster_plan *plan, const struct cull_input *in, int first, int n, struct rect *box)
+{
+    const struct rect bounds = plan->bounds;
+    const bool cull_ccw = plan->cull_ccw, cull_cw = plan->cull_cw;
+    const float *FGL_RESTRICT record = in->record;
+    const uint32_t stride = (uint32_t)in->stride, flag = in->flag;
+    int32_t x0[CULL_GROUP], x1[CULL_GROUP], y0[CULL_GROUP], y1[CULL_GROUP];
+    for (int i = 0; i < n; i++) {
+        const uint32_t flagged = in->a[first + i];
+        const float *a = record + (size_t)(flagged & ~flag) * stride, *b = record + (size_t)in->b[first + i] * stride,
+                    *c = record + (size_t)in->c[first + i] * stride;
+        const struct snapped p = snap(a), q = snap(b), r = snap(c);
+        const double area = (p.x - q.x) * (r.y - p.y) - (r.x - p.x) * (p.y - q.y);
+        const bool ok = within_limit(a) & within_limit(b) & within_limit(c);
+        const bool keep = ok & (((area > 0.0) & !cull_ccw) | ((area < 0.0) & !cull_cw));
+        const double left = keep ? min3(p.x, q.x, r.x) : 0.0, right = keep ? max3(p.x, q.x, r.x) : 0.0;
+        const double top = keep ? min3(p.y, q.y, r.y) : 0.0, bottom = keep ? max3(p.y, q.y, r.y) : 0.0;
+        x0[i] = flagged & flag ? bounds.x0 : ((int32_t)left + 255) >> 8;
+        x1[i] = flagged & flag ? bounds.x1 : ((int32_t)right + 255) >> 8;
+        y0[i] = flagged & flag ? bounds.y0 : ((int32_t)top >> 8) + 1;
+        y1[i] = flagged & flag ? bounds.y1 : ((int32_t)bottom >> 8) + 1;
+    }
+    for (int i = 0; i < n; i++)
+        box[i] = (struct rect){fgl_max(bounds.x0, x0[i]), fgl_max(bounds.y0, y0[i]), fgl_min(bounds.x1, x1[i]), fgl_min(bounds.y1, y1[i])};
+}
+
+static int cull(const struct raster_plan *plan, const struct cull_input *in, int16_t *y0, int16_t *y1, uint32_t *visible, int64_t *area)
+{
+    struct rect box[CULL_GROUP];
+    int count = 0;
+    int64_t sum = 0;
+    for (int first = 0; first < in->n; first += CULL_GROUP) {
+        const int n = fgl_min(CULL_GROUP, in->n - first);
+        cull_boxes(plan, in, first, n, box);
+        for (int i = 0; i < n; i++) {
+            const int width = box[i].x1 - box[i].x0, height = box[i].y1 - box[i].y0;
+            const bool any = (width > 0) & (height > 0);
+            y0[first + i] = (int16_t)box[i].y0;
+            y1[first + i] = (int16_t)box[i].y1;
+            visible[count] = (uint32_t)(first + i);
+            count += any;
+            sum += any ? (int64_t)width * height : 0;
+        }
+    }
+    *area = sum;
+    return count;
+}
+
 static void quad(const struct raster_plan *plan, const struct snapped corner[4], const struct planes *planes)
 {
     const struct rect box = bounding_box(corner, 4, &plan->bounds);
@@ -113,4 +167,4 @@ static void quad(const struct raster_plan *plan, const struct snapped corner[4],
 #define KERNELS(isa) NAME_OF(isa)
 
 extern const struct raster_kernels KERNELS(FGL_ISA);
-const struct raster_kernels KERNELS(FGL_ISA) = {triangle, smooth_triangle, quad};
+const struct raster_kernels KERNELS(FGL_ISA) = {cull, triangle, smooth_triangle, quad};

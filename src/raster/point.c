@@ -45,7 +45,7 @@ static void aliased_point(const struct raster_plan *plan, const float *v, float 
 /* A square of two triangles around a disc; the fragment stage drops what lies outside the disc. */
 static void smooth_point(const struct raster_plan *plan, const float *v, float size)
 {
-    const float radius = size <= 1.0f ? 1.0f : size * 0.5f, inner = 1.0f - 1.0f / radius;
+    const float radius = fmaxf(1.0f, size * 0.5f), pixel = 1.0f / radius, inner2 = 1.0f - 2.0f * pixel + pixel * pixel;
     float corner[4][LANE_MAX];
     for (int i = 0; i < 4; i++) {
         const float x = i == 1 || i == 2 ? 1.0f : -1.0f, y = i >= 2 ? 1.0f : -1.0f;
@@ -54,7 +54,7 @@ static void smooth_point(const struct raster_plan *plan, const float *v, float s
         corner[i][LANE_Y] += y * radius;
         corner[i][LANE_SMOOTH + 0] = x;
         corner[i][LANE_SMOOTH + 1] = y;
-        corner[i][LANE_SMOOTH + 2] = inner * inner;
+        corner[i][LANE_SMOOTH + 2] = inner2;
         corner[i][LANE_SMOOTH + 3] = 1.0f;
     }
     plan->kernels->smooth_triangle(plan, corner[0], corner[1], corner[2], v, SMOOTH_POINT);

@@ -13,10 +13,23 @@ struct snapped {
     double x, y;
 };
 
+/* Triangles to cull: numbers of their vertices' records. A number a with the flag stands for a triangle that is yet to be clipped. */
+struct cull_input {
+    const float *record;
+    int stride; /* floats from a record to the next */
+    const uint32_t *a, *b, *c;
+    uint32_t flag;
+    int n;
+};
+
 /* The kernels of one instruction set (kernels.c). Every set gives the same bytes. */
 struct raster_plan;
+typedef void raster_triangle_fn(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2, const float *provoking);
 struct raster_kernels {
-    void (*triangle)(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2, const float *provoking);
+    /* Finds the rows y0 <= y < y1 that each triangle may cover; lists the numbers of those with any, flagged ones always, in `visible` and
+     * returns how many; *area: the sum of their bounding boxes in pixels. The rest are culled, degenerate or out of bounds. */
+    int (*cull)(const struct raster_plan *plan, const struct cull_input *in, int16_t *y0, int16_t *y1, uint32_t *visible, int64_t *area);
+    raster_triangle_fn *triangle;
     /* half of a smooth line or point; the vertices have LANE_SMOOTH */
     void (*smooth_triangle)(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2, const float *provoking,
                             enum smoothing smoothing);
@@ -26,17 +39,19 @@ struct raster_kernels {
 
 struct raster_plan {
     const struct raster_kernels *kernels;
+    raster_triangle_fn *triangle; /* the kernel, or the longer road of polygon.c */
     struct rect bounds; /* framebuffer and scissor: the only rectangle that bounds pixels (the viewport does not) */
     int stride;         /* floats from a raster vertex to the next */
     int lanes;          /* lanes to set up planes for, 4..LANE_MAX */
     bool flat;          /* colour lanes come from the provoking vertex, raw */
     bool two_sided;
     int back_lane;
-    bool cull_ccw, cull_cw; /* drop by the sign of the snapped area: counter-clockwise as GL sees it */
+    bool cull_front, cull_back;
+    bool cull_ccw, cull_cw; /* the same by orientation: the sign of the snapped area, counter-clockwise as GL sees it */
     bool front_is_ccw;
     GLenum polygon_mode[2]; /* 0 front, 1 back */
     bool offset_point, offset_line, offset_fill;
-    float offset_factor, offset_units, offset_unit; /* z of one unit */
+    float offset_factor, offset_units; /* units in window z */
     bool polygon_stipple;
     const struct polygon_stipple_state *stipple;
     float line_width, point_size;
@@ -58,11 +73,11 @@ void fgl_raster_validate(struct raster_plan *plan, const struct server_state *s,
 static inline void fgl_raster_triangle(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2,
                                        const float *provoking)
 {
-    plan->kernels->triangle(plan, v0, v1, v2, provoking);
+    plan->triangle(plan, v0, v1, v2, provoking);
 }
 
 /* The same through glPolygonMode: edges and points as the modes of its face say; `edges` bit i: the edge from v_i to v_(i+1)%3 is a boundary. */
-void fgl_raster_polygon_mode(struct raster_plan *plan, const float *v0, const float *v1, const float *v2, const float *provoking,
+void fgl_raster_polygon_mode(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2, const float *provoking,
                              unsigned edges);
 
 /* stipple_counter runs along a strip or loop; reset to 0 by the caller where GL says. NULL when stipple is off. */

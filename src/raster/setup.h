@@ -63,7 +63,7 @@ static inline float polygon_offset(const struct raster_plan *plan, const float *
     const float det = x01 * y20 - y01 * x20, inv_det = 1.0f / det;
     const float dzdx = fabsf((z20 * y01 - y20 * z01) * inv_det), dzdy = fabsf((x20 * z01 - z20 * x01) * inv_det);
     const float m = dzdx > dzdy ? dzdx : dzdy;
-    return plan->offset_units * plan->offset_unit + m * plan->offset_factor;
+    return plan->offset_units + m * plan->offset_factor;
 }
 
 #endif

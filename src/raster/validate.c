@@ -14,26 +14,40 @@ static struct rect bounds_of(const struct scissor_state *scissor, const struct f
     return r;
 }
 
+/* OSMesa rule: these states send all triangles the longer road (polygon.c). */
+static bool takes_longer_road(const struct raster_plan *plan)
+{
+    return plan->polygon_mode[0] != GL_FILL || plan->polygon_mode[1] != GL_FILL || plan->polygon_stipple || plan->line_stipple ||
+           plan->line_smooth || plan->point_smooth;
+}
+
+static void filled_triangle(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2, const float *provoking)
+{
+    fgl_raster_polygon_mode(plan, v0, v1, v2, provoking, 7);
+}
+
 void fgl_raster_validate(struct raster_plan *plan, const struct server_state *s, const struct fragment_plan *fragment)
 {
     const struct polygon_state *polygon = &s->polygon;
-    const bool both = polygon->cull_face_mode == GL_FRONT_AND_BACK, front = polygon->cull_face_mode == GL_FRONT;
     plan->kernels = fgl_raster_kernels();
     plan->bounds = bounds_of(&s->scissor, fragment->fb);
     plan->framebuffer_height = fragment->fb->height;
     plan->fragment = fragment;
 
     plan->front_is_ccw = polygon->front_face == GL_CCW;
-    plan->cull_ccw = polygon->cull_face && (both || front == plan->front_is_ccw);
-    plan->cull_cw = polygon->cull_face && (both || front != plan->front_is_ccw);
-    plan->polygon_mode[0] = polygon->polygon_mode[0];
-    plan->polygon_mode[1] = polygon->polygon_mode[1];
+    plan->cull_front = polygon->cull_face && polygon->cull_face_mode != GL_BACK;
+    plan->cull_back = polygon->cull_face && polygon->cull_face_mode != GL_FRONT;
+    plan->cull_ccw = plan->front_is_ccw ? plan->cull_front : plan->cull_back;
+    plan->cull_cw = plan->front_is_ccw ? plan->cull_back : plan->cull_front;
+    /* A face that is culled takes the other's mode: it shows in triangles without area. */
+    plan->polygon_mode[0] = polygon->polygon_mode[plan->cull_front ? 1 : 0];
+    plan->polygon_mode[1] = plan->cull_back ? plan->polygon_mode[0] : polygon->polygon_mode[1];
     plan->offset_point = polygon->polygon_offset_point;
     plan->offset_line = polygon->polygon_offset_line;
     plan->offset_fill = polygon->polygon_offset_fill;
     plan->offset_factor = polygon->polygon_offset_factor;
-    plan->offset_units = polygon->polygon_offset_units;
-    plan->offset_unit = 2.0f / (float)fragment->fb->depth_max; /* OSMesa rule: two steps of the depth buffer */
+    /* OSMesa rule: one unit is two steps of the depth buffer. */
+    plan->offset_units = (float)((double)polygon->polygon_offset_units * (2.0 / (double)fragment->fb->depth_max));
     plan->polygon_stipple = polygon->polygon_stipple;
     plan->stipple = &s->polygon_stipple;
 
@@ -44,4 +58,5 @@ void fgl_raster_validate(struct raster_plan *plan, const struct server_state *s,
     plan->line_stipple_pattern = s->line.line_stipple_pattern;
     plan->point_size = s->point.point_size;
     plan->point_smooth = s->point.point_smooth;
+    plan->triangle = takes_longer_road(plan) ? filled_triangle : plan->kernels->triangle;
 }
