@@ -70,7 +70,8 @@ void fgl_clear_depth(struct framebuffer *fb, struct rect r, double depth)
     if (!fb->depth)
         return;
     const double d = depth < 0.0 ? 0.0 : depth > 1.0 ? 1.0 : depth;
-    const uint32_t value = (uint32_t)(d * fb->depth_max + 0.5);
+    const double magic = 6755399441055744.0; /* 1.5 * 2^52: adding it rounds to an integer, half to even (OSMesa rule) */
+    const uint32_t value = (uint32_t)((d * fb->depth_max + magic) - magic);
     for (int y = r.y0; y < r.y1; y++)
         fill32(fb->depth + (size_t)y * (size_t)fb->stride + (size_t)r.x0, r.x1 - r.x0, value, ~0u);
 }

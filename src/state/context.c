@@ -127,6 +127,13 @@ static void init_pixel_mode(struct pixel_mode_state *p)
     p->read_buffer = GL_FRONT;
 }
 
+static void init_pixel_maps(struct pixel_map *maps)
+{
+    memset(maps, 0, PIXEL_MAP_COUNT * sizeof *maps);
+    for (int i = 0; i < PIXEL_MAP_COUNT; i++)
+        maps[i].size = 1;
+}
+
 static void init_arrays(struct client_array_state *a)
 {
     for (int i = 0; i < ATTR_MATERIAL; i++)
@@ -162,6 +169,7 @@ void fgl_state_init(struct context *ctx)
     init_fragment(&ctx->s);
     init_hints(&ctx->s.hint);
     init_pixel_mode(&ctx->s.pixel_mode);
+    init_pixel_maps(ctx->pixel_map);
 
     init_arrays(&ctx->client.arrays);
     ctx->client.pack.alignment = ctx->client.unpack.alignment = 4;

@@ -138,6 +138,19 @@ struct pixel_mode_state { /* GL_PIXEL_MODE_BIT */
     GLenum read_buffer;
 };
 
+/* Table 6.23 "Pixels": glPixelMap. In no attribute group. In the order of GL_PIXEL_MAP_I_TO_I... */
+enum {
+    PIXEL_MAP_I_TO_I, PIXEL_MAP_S_TO_S,
+    PIXEL_MAP_I_TO_R, PIXEL_MAP_I_TO_G, PIXEL_MAP_I_TO_B, PIXEL_MAP_I_TO_A,
+    PIXEL_MAP_R_TO_R, PIXEL_MAP_G_TO_G, PIXEL_MAP_B_TO_B, PIXEL_MAP_A_TO_A,
+    PIXEL_MAP_COUNT
+};
+
+struct pixel_map {
+    int size; /* a power of two for maps from indexes */
+    float value[FGL_MAX_PIXEL_MAP];
+};
+
 /* Tables 6.14 "Textures" (GL_TEXTURE_BIT) and 6.24 "Evaluators" (GL_EVAL_BIT): only what glEnable can say, so far without effect. */
 struct texture_state {
     bool texture_1d, texture_2d;
@@ -220,6 +233,7 @@ struct context {
     struct client_state client;
     struct matrix_stack modelview, projection, texture_matrix[FGL_MAX_TEXTURE_UNITS];
     int active_texture;
+    struct pixel_map pixel_map[PIXEL_MAP_COUNT];
 
     struct attrib_entry *attrib_stack; /* FGL_MAX_ATTRIB_DEPTH entries, allocated at the first push */
     int attrib_depth;

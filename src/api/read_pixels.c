@@ -1,0 +1,39 @@
+/* glReadPixels (GL 1.5, 4.3.2 "Reading Pixels"). */
+#include "api/command.h"
+#include "api/errors.h"
+#include "framebuffer/pixel_pack.h"
+
+/* Whether the framebuffer has what the format asks for. */
+static bool buffer_exists(const struct context *ctx, GLenum format)
+{
+    const struct framebuffer *fb = ctx->framebuffer;
+    switch (format) {
+    case GL_DEPTH_COMPONENT: return fb->depth_bits > 0;
+    case GL_STENCIL_INDEX: return fb->stencil_bits > 0;
+    case GL_COLOR_INDEX: return false; /* the framebuffer holds RGBA colours */
+    default: return ctx->s.pixel_mode.read_buffer != GL_NONE;
+    }
+}
+
+/* Pixels outside the framebuffer are undefined: their memory stays as it was. */
+void fgl_exec_ReadPixels(struct context *ctx, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
+                         GLenum type, GLvoid *pixels)
+{
+    RETURN_ERROR_IF(ctx, width < 0 || height < 0, GL_INVALID_VALUE);
+    const GLenum error = fgl_pixel_check(format, type);
+    RETURN_ERROR_IF(ctx, error, error);
+    fgl_flush_vertices(ctx, 0);
+    const struct framebuffer *fb = ctx->framebuffer;
+    RETURN_ERROR_IF(ctx, !fb || !buffer_exists(ctx, format), GL_INVALID_OPERATION);
+
+    const struct pixel_pack pack = {
+            .image = fgl_pixel_image(&ctx->client.pack, format, type, width, pixels),
+            .mode = &ctx->s.pixel_mode,
+            .maps = ctx->pixel_map,
+    };
+    const int64_t right = (int64_t)x + width, top = (int64_t)y + height;
+    const int x0 = fgl_max(x, 0), x1 = right < fb->width ? (int)right : fb->width;
+    const int y0 = fgl_max(y, 0), y1 = top < fb->height ? (int)top : fb->height;
+    for (int row = y0; x0 < x1 && row < y1; row++)
+        fgl_pack_row(&pack, fb, x0, fb->height - 1 - row, x1 - x0, row - y, x0 - x);
+}

@@ -1,0 +1,22 @@
+/* Packing: rows of the framebuffer into the caller's memory (GL 1.5, 4.3.2 "Reading Pixels"). Layer 2. */
+#ifndef FGL_FRAMEBUFFER_PIXEL_PACK_H
+#define FGL_FRAMEBUFFER_PIXEL_PACK_H
+
+#include "framebuffer/framebuffer.h"
+#include "framebuffer/pixel_format.h"
+#include "framebuffer/pixel_transfer.h"
+
+/* The state that packing depends on. */
+struct pixel_pack {
+    struct pixel_image image;
+    const struct pixel_mode_state *mode;
+    const struct pixel_map *maps;
+};
+
+/* Packs n pixels from column x of framebuffer row y (y down) into the image's row `row` from pixel `column`
+ * on. The pixels are all in the framebuffer, and the framebuffer has the buffer that the format names. Writes
+ * those pixels and no other byte; of a bitmap, those bits. */
+void fgl_pack_row(const struct pixel_pack *pack, const struct framebuffer *fb, int x, int y, int n, int row,
+                  int column);
+
+#endif
