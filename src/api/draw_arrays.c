@@ -115,6 +115,23 @@ void GLAPIENTRY glDrawArrays(GLenum mode, GLint first, GLsizei count)
     fgl_draw(ctx, &source, &prim, 1, NULL, (uint32_t)first, (uint32_t)(first + count - 1));
 }
 
+#define WIDEN(name, T)                                                                                       \
+    static void widen_##name(uint32_t *FGL_RESTRICT to, const T *FGL_RESTRICT from, int n, uint32_t *min, uint32_t *max) \
+    {                                                                                                        \
+        uint32_t lo = UINT32_MAX, hi = 0;                                                                    \
+        for (int i = 0; i < n; i++) {                                                                        \
+            const uint32_t e = from[i];                                                                      \
+            to[i] = e;                                                                                       \
+            lo = e < lo ? e : lo;                                                                            \
+            hi = e > hi ? e : hi;                                                                            \
+        }                                                                                                    \
+        *min = lo;                                                                                           \
+        *max = hi;                                                                                           \
+    }
+WIDEN(ubyte, GLubyte)
+WIDEN(ushort, GLushort)
+WIDEN(uint, GLuint)
+
 /* The elements as 32-bit numbers in the pipeline's work space, and their range. NULL when memory is short. */
 static const uint32_t *widen(struct pipeline *p, GLsizei count, GLenum type, const void *indices, uint32_t *min, uint32_t *max)
 {
@@ -125,15 +142,11 @@ static const uint32_t *widen(struct pipeline *p, GLsizei count, GLenum type, con
         p->elements = bigger;
         p->elements_capacity = count;
     }
-    uint32_t lo = UINT32_MAX, hi = 0;
-    for (int i = 0; i < count; i++) {
-        const uint32_t e = element(type, indices, i);
-        p->elements[i] = e;
-        lo = e < lo ? e : lo;
-        hi = e > hi ? e : hi;
+    switch (type) {
+    case GL_UNSIGNED_BYTE: widen_ubyte(p->elements, indices, count, min, max); break;
+    case GL_UNSIGNED_SHORT: widen_ushort(p->elements, indices, count, min, max); break;
+    default: widen_uint(p->elements, indices, count, min, max); break;
     }
-    *min = lo;
-    *max = hi;
     return p->elements;
 }
 

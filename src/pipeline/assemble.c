@@ -23,17 +23,34 @@ static inline const float *record(const struct pipeline *p, uint32_t v)
     return p->cache.record + (size_t)v * (size_t)p->plan.emit.stride;
 }
 
-static FGL_NOINLINE void clipped_triangle(struct pipeline *p, uint32_t a, uint32_t b, uint32_t c, unsigned edges)
+/* A filled triangle waits in the list; flagged when it must be clipped. */
+static inline void add_filled(struct pipeline *p, uint32_t a, uint32_t b, uint32_t c, uint32_t flag)
+{
+    struct triangle_list *t = &p->triangles;
+    if (FGL_UNLIKELY(t->n == TRIANGLES_MAX))
+        fgl_triangles_flush(p);
+    t->a[t->n] = a | flag;
+    t->b[t->n] = b;
+    t->c[t->n] = c;
+    t->n++;
+}
+
+/* A triangle some face of which is drawn as lines or points. */
+static FGL_NOINLINE void polygon_mode(struct pipeline *p, uint32_t a, uint32_t b, uint32_t c, unsigned edges)
 {
     const struct vertex_cache *v = &p->cache;
+    const float *va = record(p, a), *vb = record(p, b), *vc = record(p, c);
     const struct clip_vertices in = {
-        .record = {record(p, a), record(p, b), record(p, c)},
+        .record = {va, vb, vc},
         .clip = {v->clip[a], v->clip[b], v->clip[c]},
-        .provoking = record(p, c),
+        .provoking = vc,
         .outcode = v->outcode[a] | v->outcode[b] | v->outcode[c],
         .edges = edges,
     };
-    fgl_clip_triangle(p, &in);
+    if (in.outcode)
+        fgl_clip_triangle(p, &p->plan.raster, &in);
+    else
+        fgl_raster_polygon_mode(&p->plan.raster, va, vb, vc, vc, edges);
 }
 
 static inline void triangle(const struct assembly *as, int i0, int i1, int i2, unsigned edges)
@@ -41,15 +58,12 @@ static inline void triangle(const struct assembly *as, int i0, int i1, int i2, u
     struct pipeline *p = as->p;
     const uint32_t a = number(as, i0), b = number(as, i1), c = number(as, i2);
     const uint32_t *out = p->cache.outcode;
-    if (FGL_LIKELY((out[a] | out[b] | out[c]) == 0)) {
-        const float *va = record(p, a), *vb = record(p, b), *vc = record(p, c);
-        if (FGL_LIKELY(p->plan.polygon_fill))
-            fgl_raster_triangle(&p->plan.raster, va, vb, vc, vc);
-        else
-            fgl_raster_polygon_mode(&p->plan.raster, va, vb, vc, vc, edges);
-    } else if ((out[a] & out[b] & out[c]) == 0) {
-        clipped_triangle(p, a, b, c, edges);
-    }
+    if (FGL_UNLIKELY(out[a] & out[b] & out[c]))
+        return;
+    if (FGL_LIKELY(p->plan.polygon_fill))
+        add_filled(p, a, b, c, out[a] | out[b] | out[c] ? (uint32_t)TRIANGLE_CLIP : 0);
+    else
+        polygon_mode(p, a, b, c, edges);
 }
 
 static void line(const struct assembly *as, int i0, int i1, int *stipple_counter)
@@ -167,6 +181,8 @@ void fgl_assemble(struct pipeline *p, const struct draw_prim *prim, const uint32
 {
     const struct assembly as = {p, elements, prim->first, base};
     const int n = prim->count;
+    if (prim->mode < GL_TRIANGLES)
+        fgl_triangles_flush(p); /* in the order given */
     switch (prim->mode) {
     case GL_POINTS: points(&as, n); break;
     case GL_LINES: case GL_LINE_STRIP: case GL_LINE_LOOP: lines(&as, prim->mode, n); break;

@@ -89,12 +89,12 @@ static int clip_by_plane(struct pipeline *p, struct clip_pool *pool, int plane_n
     return m;
 }
 
-static void emit_polygon(struct pipeline *p, const struct clip_vertex *v, int n, const float *provoking)
+static void emit_polygon(struct pipeline *p, const struct raster_plan *raster, const struct clip_vertex *v, int n, const float *provoking)
 {
     for (int i = 2; i < n; i++) {
         const float *a = v[i - 1].record, *b = v[i].record, *c = v[0].record;
         if (p->plan.polygon_fill) {
-            fgl_raster_triangle(&p->plan.raster, a, b, c, provoking);
+            fgl_raster_triangle(raster, a, b, c, provoking);
             continue;
         }
         const unsigned edges = (v[i - 1].edge ? 1u : 0) | (i == n - 1 && v[i].edge ? 2u : 0) | (i == 2 && v[0].edge ? 4u : 0);
@@ -102,7 +102,7 @@ static void emit_polygon(struct pipeline *p, const struct clip_vertex *v, int n,
     }
 }
 
-void fgl_clip_triangle(struct pipeline *p, const struct clip_vertices *in)
+void fgl_clip_triangle(struct pipeline *p, const struct raster_plan *raster, const struct clip_vertices *in)
 {
     struct clip_pool pool;
     struct clip_vertex list[2][CLIP_MAX_VERTICES + 2];
@@ -116,7 +116,7 @@ void fgl_clip_triangle(struct pipeline *p, const struct clip_vertices *in)
         n = clip_by_plane(p, &pool, k, list[now], n, list[!now]);
         now = !now;
     }
-    emit_polygon(p, list[now], n, in->provoking);
+    emit_polygon(p, raster, list[now], n, in->provoking);
 }
 
 void fgl_clip_line(struct pipeline *p, const struct clip_vertices *in, int *stipple_counter)

@@ -26,10 +26,18 @@ void fgl_pipeline_destroy(struct pipeline *p)
     free(p->cache.outcode);
     free(p->cache.edge_flag);
     free(p->elements);
+    fgl_triangles_free(&p->triangles);
     fgl_workers_destroy(p->workers);
     for (int i = 0; i < FGL_MAX_WORKERS; i++)
         free(p->batch[i]);
     free(p);
+}
+
+struct workers *fgl_pipeline_workers(struct pipeline *p)
+{
+    if (!p->workers)
+        p->workers = fgl_workers_create(fgl_workers_default());
+    return p->workers;
 }
 
 static bool grow_array(void *array, size_t bytes)
@@ -96,9 +104,8 @@ static void run_batch(void *arg, int item, int worker)
 /* Workers for a draw of so many batches: the calling thread alone unless there are several, as waking others costs microseconds. */
 static int workers_for(struct pipeline *p, int batches)
 {
-    if (batches >= PARALLEL_BATCHES && !p->workers)
-        p->workers = fgl_workers_create(fgl_workers_default());
-    const int count = batches >= PARALLEL_BATCHES && p->workers ? fgl_workers_count(p->workers) : 1;
+    const struct workers *w = batches >= PARALLEL_BATCHES ? fgl_pipeline_workers(p) : NULL;
+    const int count = w ? fgl_workers_count(w) : 1;
     for (int i = 0; i < count; i++)
         if (!p->batch[i] && !(p->batch[i] = calloc(1, sizeof *p->batch[i])))
             return i; /* those that have a batch */
@@ -135,7 +142,7 @@ void fgl_draw(struct context *ctx, const struct vertex_source *source, const str
     if (!p->plan.rasterize)
         return;
     const int vertices = (int)(max_index - min_index + 1);
-    if (!reserve(&p->cache, vertices, p->plan.emit.stride)) {
+    if (!reserve(&p->cache, vertices, p->plan.emit.stride) || !fgl_triangles_init(&p->triangles)) {
         out_of_memory(ctx);
         return;
     }
@@ -146,4 +153,5 @@ void fgl_draw(struct context *ctx, const struct vertex_source *source, const str
     }
     for (int i = 0; i < n; i++)
         fgl_assemble(p, &prims[i], elements, min_index, source->compiled);
+    fgl_triangles_flush(p);
 }

@@ -32,11 +32,27 @@ FETCH(short, GLshort, snorm(v, 32767.0), (float)v)
 FETCH(uint, GLuint, (float)((double)v / 4294967295.0), (float)v)
 FETCH(int, GLint, snorm(v, 2147483647.0), (float)v)
 FETCH(double, GLdouble, (float)v, (float)v)
+FETCH(float, GLfloat, v, v)
 
-static void fetch_float(float *FGL_RESTRICT to, const char *from, ptrdiff_t stride, int n)
+/* Whole vertices at a time: size components each, one after the other in memory. */
+static FGL_ALWAYS_INLINE void fetch_floats(struct lanes4 *FGL_RESTRICT to, const char *from, ptrdiff_t stride, int n, const int size)
 {
-    for (int i = 0; i < n; i++)
-        memcpy(&to[i], from + i * stride, sizeof(float));
+    for (int i = 0; i < n; i++) {
+        float v[4];
+        memcpy(v, from + i * stride, (size_t)size * sizeof(float));
+        for (int c = 0; c < size; c++)
+            to->c[c][i] = v[c];
+    }
+}
+
+static void fetch_attr_floats(struct lanes4 *to, const char *from, ptrdiff_t stride, int n, int size)
+{
+    switch (size) {
+    case 1: fetch_floats(to, from, stride, n, 1); break;
+    case 2: fetch_floats(to, from, stride, n, 2); break;
+    case 3: stride == 12 ? fetch_floats(to, from, 12, n, 3) : fetch_floats(to, from, stride, n, 3); break;
+    default: fetch_floats(to, from, stride, n, 4); break;
+    }
 }
 
 static int component_bytes(GLenum type)
@@ -52,7 +68,7 @@ static int component_bytes(GLenum type)
 static void fetch_component(float *to, const char *from, const struct attr_source *a, int n, bool norm)
 {
     switch (a->type) {
-    case GL_FLOAT: fetch_float(to, from, a->stride, n); break;
+    case GL_FLOAT: fetch_float(to, from, a->stride, n, norm); break;
     case GL_DOUBLE: fetch_double(to, from, a->stride, n, norm); break;
     case GL_UNSIGNED_BYTE: fetch_ubyte(to, from, a->stride, n, norm); break;
     case GL_BYTE: fetch_byte(to, from, a->stride, n, norm); break;
@@ -82,7 +98,9 @@ void fgl_fetch(struct vertex_batch *batch, const struct vertex_source *source, u
             continue;
         const struct attr_source *a = &source->attr[attr];
         const char *from = (const char *)a->pointer + (size_t)first * (size_t)a->stride;
-        for (int c = 0; c < 4; c++) {
+        if (a->type == GL_FLOAT)
+            fetch_attr_floats(&batch->in[attr], from, a->stride, n, a->size);
+        for (int c = a->type == GL_FLOAT ? a->size : 0; c < 4; c++) {
             float *to = batch->in[attr].c[c];
             if (c < a->size)
                 fetch_component(to, from + c * component_bytes(a->type), a, n, is_normalized(attr));

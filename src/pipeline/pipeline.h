@@ -6,6 +6,7 @@
 #include "fragment/fragment.h"
 #include "base/workers.h"
 #include "pipeline/draw.h"
+#include "pipeline/triangles.h"
 #include "raster/raster.h"
 #include "vertex/emit.h"
 #include "vertex/vertex.h"
@@ -37,6 +38,7 @@ struct pipeline {
     bool general;    /* FIXEDGL_PATH=general */
     bool print_plan; /* FIXEDGL_DEBUG=plan */
     struct vertex_cache cache;
+    struct triangle_list triangles;
     struct workers *workers; /* started by the first large draw */
     struct vertex_batch *batch[FGL_MAX_WORKERS]; /* each worker's, allocated when first used */
     uint32_t *elements; /* work space of glDrawElements */
@@ -46,6 +48,9 @@ struct pipeline {
 /* NULL when memory is short. */
 struct pipeline *fgl_pipeline_create(void);
 void fgl_pipeline_destroy(struct pipeline *p);
+
+/* The workers, started now if they were not; NULL when memory is short. */
+struct workers *fgl_pipeline_workers(struct pipeline *p);
 
 /* Brings the plan up to date with the state, for draws whose attributes in `varying` are arrays. */
 void fgl_pipeline_validate(struct context *ctx, uint32_t varying);
@@ -69,7 +74,8 @@ struct clip_vertices {
     uint32_t outcode; /* OR over the vertices */
     unsigned edges;   /* boundary edges: bit i from vertex i to the next */
 };
-void fgl_clip_triangle(struct pipeline *p, const struct clip_vertices *in);
+/* raster: the pipeline's plan, or one with narrower bounds. */
+void fgl_clip_triangle(struct pipeline *p, const struct raster_plan *raster, const struct clip_vertices *in);
 void fgl_clip_line(struct pipeline *p, const struct clip_vertices *in, int *stipple_counter);
 
 #endif

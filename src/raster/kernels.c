@@ -101,52 +101,65 @@ static void smooth_triangle(const struct raster_plan *plan, const float *v0, con
 static FGL_ALWAYS_INLINE double min3(double a, double b, double c) { return a < b ? (a < c ? a : c) : (b < c ? b : c); }
 static FGL_ALWAYS_INLINE double max3(double a, double b, double c) { return a > b ? (a > c ? a : c) : (b > c ? b : c); }
 
-/* The bounding box of one triangle within bounds, empty when it is culled; the same arithmetic as draw_triangle's, for many at a time. */
-static FGL_ALWAYS_INLINE void cull_boxes(const struct raster_plan *plan, const struct cull_input *in, int first, int n, struct rect *box)
+/* Window x and y of the vertices of a group of triangles. */
+struct corners {
+    float x[3][CULL_GROUP], y[3][CULL_GROUP];
+};
+
+static FGL_ALWAYS_INLINE void load_corners(struct corners *to, const struct cull_input *in, int first, int n)
 {
-    const struct rect bounds = plan->bounds;
-    const bool cull_ccw = plan->cull_ccw, cull_cw = plan->cull_cw;
-    const float *FGL_RESTRICT record = in->record;
-    const uint32_t stride = (uint32_t)in->stride, flag = in->flag;
-    int32_t x0[CULL_GROUP], x1[CULL_GROUP], y0[CULL_GROUP], y1[CULL_GROUP];
-    for (int i = 0; i < n; i++) {
-        const uint32_t flagged = in->a[first + i];
-        const float *a = record + (size_t)(flagged & ~flag) * stride, *b = record + (size_t)in->b[first + i] * stride,
-                    *c = record + (size_t)in->c[first + i] * stride;
+    const uint32_t *const number[3] = {in->a + first, in->b + first, in->c + first};
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < n; i++) {
+            const float *v = in->record + (size_t)(number[k][i] & ~in->flag) * (size_t)in->stride;
+            to->x[k][i] = v[LANE_X];
+            to->y[k][i] = v[LANE_Y];
+        }
+}
+
+/* The rows and columns that each triangle may cover, none when it is culled: the arithmetic of draw_triangle, for many at a time. */
+static FGL_ALWAYS_INLINE void cull_boxes(const struct raster_plan *plan, const struct corners *v, int32_t *FGL_RESTRICT x0,
+                                         int32_t *FGL_RESTRICT x1, int32_t *FGL_RESTRICT y0, int32_t *FGL_RESTRICT y1)
+{
+    const double drop_ccw = plan->cull_ccw ? -1.0 : 1.0, drop_cw = plan->cull_cw ? -1.0 : 1.0;
+    for (int i = 0; i < CULL_GROUP; i++) {
+        const float a[2] = {v->x[0][i], v->y[0][i]}, b[2] = {v->x[1][i], v->y[1][i]}, c[2] = {v->x[2][i], v->y[2][i]};
         const struct snapped p = snap(a), q = snap(b), r = snap(c);
         const double area = (p.x - q.x) * (r.y - p.y) - (r.x - p.x) * (p.y - q.y);
-        const bool ok = within_limit(a) & within_limit(b) & within_limit(c);
-        const bool keep = ok & (((area > 0.0) & !cull_ccw) | ((area < 0.0) & !cull_cw));
-        const double left = keep ? min3(p.x, q.x, r.x) : 0.0, right = keep ? max3(p.x, q.x, r.x) : 0.0;
-        const double top = keep ? min3(p.y, q.y, r.y) : 0.0, bottom = keep ? max3(p.y, q.y, r.y) : 0.0;
-        x0[i] = flagged & flag ? bounds.x0 : ((int32_t)left + 255) >> 8;
-        x1[i] = flagged & flag ? bounds.x1 : ((int32_t)right + 255) >> 8;
-        y0[i] = flagged & flag ? bounds.y0 : ((int32_t)top >> 8) + 1;
-        y1[i] = flagged & flag ? bounds.y1 : ((int32_t)bottom >> 8) + 1;
+        const double sign = area > 0.0 ? drop_ccw : area < 0.0 ? drop_cw : -1.0;
+        const double keep = within_limit(a) & within_limit(b) & within_limit(c) ? sign : -1.0;
+        const double left = min3(p.x, q.x, r.x), right = max3(p.x, q.x, r.x);
+        const double top = min3(p.y, q.y, r.y), bottom = max3(p.y, q.y, r.y);
+        x0[i] = ((int32_t)(keep > 0.0 ? left : 0.0) + 255) >> 8;
+        x1[i] = ((int32_t)(keep > 0.0 ? right : 0.0) + 255) >> 8;
+        y0[i] = ((int32_t)(keep > 0.0 ? top : 0.0) >> 8) + 1;
+        y1[i] = ((int32_t)(keep > 0.0 ? bottom : 0.0) >> 8) + 1;
     }
-    for (int i = 0; i < n; i++)
-        box[i] = (struct rect){fgl_max(bounds.x0, x0[i]), fgl_max(bounds.y0, y0[i]), fgl_min(bounds.x1, x1[i]), fgl_min(bounds.y1, y1[i])};
 }
 
 static int cull(const struct raster_plan *plan, const struct cull_input *in, int16_t *y0, int16_t *y1, uint32_t *visible, int64_t *area)
 {
-    struct rect box[CULL_GROUP];
+    const struct rect b = plan->bounds;
+    struct corners corners = {0};
+    int32_t left[CULL_GROUP], right[CULL_GROUP], top[CULL_GROUP], bottom[CULL_GROUP];
     int count = 0;
-    int64_t sum = 0;
+    *area = 0;
     for (int first = 0; first < in->n; first += CULL_GROUP) {
         const int n = fgl_min(CULL_GROUP, in->n - first);
-        cull_boxes(plan, in, first, n, box);
+        load_corners(&corners, in, first, n);
+        cull_boxes(plan, &corners, left, right, top, bottom);
         for (int i = 0; i < n; i++) {
-            const int width = box[i].x1 - box[i].x0, height = box[i].y1 - box[i].y0;
-            const bool any = (width > 0) & (height > 0);
-            y0[first + i] = (int16_t)box[i].y0;
-            y1[first + i] = (int16_t)box[i].y1;
+            const bool flagged = in->a[first + i] & in->flag;
+            const int width = flagged ? b.x1 - b.x0 : fgl_min(b.x1, right[i]) - fgl_max(b.x0, left[i]);
+            const int from = flagged ? b.y0 : fgl_max(b.y0, top[i]), to = flagged ? b.y1 : fgl_min(b.y1, bottom[i]);
+            const bool any = (width > 0) & (to > from);
+            y0[first + i] = (int16_t)from;
+            y1[first + i] = (int16_t)to;
             visible[count] = (uint32_t)(first + i);
             count += any;
-            sum += any ? (int64_t)width * height : 0;
+            *area += any ? (int64_t)width * (to - from) : 0;
         }
     }
-    *area = sum;
     return count;
 }
 
