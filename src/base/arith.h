@@ -11,8 +11,10 @@
  *   r_row3(n, m)      n . m for a normal and a row of three numbers
  *   r_row4(p, m)      p . m for a position and a row of a matrix, m[0], m[4], m[8], m[12]
  *   r_row4_w_first(p, m)  the same, summed in the order that OSMesa uses where one component only is wanted
- *   r_pow(x, y)       x to the power y for x >= 0; r_pow(0, y) is 0
- *   r_exp2(x), r_log2(x)
+ *   r_exp2(x)         2 to the power x; never infinite
+ *   r_log2(x)         for positive, normal x
+ *   r_pow(x, y)       x to the power y for x > 0; 0 for x <= 0, whatever y; never infinite
+ *   r_select(c, x, y) c ? x : y
  * All may be given any value, do not trap, and contain no branch. */
 #ifndef FGL_BASE_ARITH_H
 #define FGL_BASE_ARITH_H
@@ -31,14 +33,14 @@
 #include "base/arith_compatible.h"
 #endif
 
-static inline struct real3 r_vec3(real x, real y, real z) { return (struct real3){x, y, z}; }
-static inline struct real3 r_add3(struct real3 a, struct real3 b) { return r_vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
-static inline struct real3 r_sub3(struct real3 a, struct real3 b) { return r_vec3(a.x - b.x, a.y - b.y, a.z - b.z); }
-static inline struct real3 r_scale3(struct real3 a, real s) { return r_vec3(a.x * s, a.y * s, a.z * s); }
-static inline struct real3 r_normalize3(struct real3 a) { return r_scale3(a, r_rsqrt(r_dot3(a, a))); }
-static inline real r_max(real a, real b) { return a > b ? a : b; }
-static inline real r_min(real a, real b) { return a < b ? a : b; }
-static inline real r_abs(real a) { return a < 0 ? -a : a; }
-static inline real r_clamp01(real a) { return a > 0 ? (a < 1 ? a : 1) : 0; } /* NaN -> 0 */
+static FGL_ALWAYS_INLINE struct real3 r_vec3(real x, real y, real z) { return (struct real3){x, y, z}; }
+static FGL_ALWAYS_INLINE struct real3 r_add3(struct real3 a, struct real3 b) { return r_vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
+static FGL_ALWAYS_INLINE struct real3 r_sub3(struct real3 a, struct real3 b) { return r_vec3(a.x - b.x, a.y - b.y, a.z - b.z); }
+static FGL_ALWAYS_INLINE struct real3 r_scale3(struct real3 a, real s) { return r_vec3(a.x * s, a.y * s, a.z * s); }
+static FGL_ALWAYS_INLINE struct real3 r_normalize3(struct real3 a) { return r_scale3(a, r_rsqrt(r_dot3(a, a))); }
+static FGL_ALWAYS_INLINE real r_max(real a, real b) { return a > b ? a : b; }
+static FGL_ALWAYS_INLINE real r_min(real a, real b) { return a < b ? a : b; }
+static FGL_ALWAYS_INLINE real r_abs(real a) { return fabsf(a); }
+static FGL_ALWAYS_INLINE real r_clamp01(real a) { return a > 0 ? (a < 1 ? a : 1) : 0; } /* NaN -> 0 */
 
 #endif

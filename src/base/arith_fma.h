@@ -10,28 +10,28 @@
 
 #include <string.h>
 
-static inline uint32_t fgl_float_bits(float x)
+static FGL_ALWAYS_INLINE uint32_t fgl_float_bits(float x)
 {
     uint32_t u;
     memcpy(&u, &x, sizeof u);
     return u;
 }
 
-static inline float fgl_bits_float(uint32_t u)
+static FGL_ALWAYS_INLINE float fgl_bits_float(uint32_t u)
 {
     float x;
     memcpy(&x, &u, sizeof x);
     return x;
 }
 
-static inline uint64_t fgl_double_bits(double x)
+static FGL_ALWAYS_INLINE uint64_t fgl_double_bits(double x)
 {
     uint64_t u;
     memcpy(&u, &x, sizeof u);
     return u;
 }
 
-static inline double fgl_bits_double(uint64_t u)
+static FGL_ALWAYS_INLINE double fgl_bits_double(uint64_t u)
 {
     double x;
     memcpy(&x, &u, sizeof x);
@@ -44,10 +44,13 @@ static FGL_ALWAYS_INLINE float fgl_fma_emulated(float a, float b, float c)
     double s = p + q;
     double t = s - p;
     double error = (p - (s - t)) + (q - t); /* s + error is the exact sum (Knuth's TwoSum); NaN when s is not finite */
-    double product = error * s;             /* only its sign is used; it can neither overflow nor reach zero */
-    uint64_t toward_zero = product < 0.0 ? 1 : 0;
-    uint64_t inexact = (error < 0.0 ? 1 : 0) | (error > 0.0 ? 1 : 0);
-    return (float)fgl_bits_double((fgl_double_bits(s) - toward_zero) | inexact);
+
+    /* s to odd. In integers, because SSE2 has no comparison that would vectorise. */
+    uint64_t magnitude = fgl_double_bits(error) << 1;
+    uint64_t finite = (((magnitude >> 53) + 1) >> 11) ^ 1;
+    uint64_t inexact = ((magnitude | (0 - magnitude)) >> 63) & finite;
+    uint64_t too_large = ((fgl_double_bits(error) ^ fgl_double_bits(s)) >> 63) & inexact;
+    return (float)fgl_bits_double((fgl_double_bits(s) - too_large) | inexact);
 }
 
 static FGL_ALWAYS_INLINE float fgl_fma(float a, float b, float c)

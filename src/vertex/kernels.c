@@ -13,10 +13,10 @@
 
 /* Normals: [to eye space][scaling] */
 
-typedef void normal_fn(const struct vertex_plan *plan, struct vertex_work *work, int n);
+typedef void normal_fn(const struct vertex_plan *FGL_RESTRICT plan, struct vertex_work *FGL_RESTRICT work, int n);
 
 #define NORMAL_KERNEL(name, to_eye, scaling)                                                                   \
-    static void name(const struct vertex_plan *plan, struct vertex_work *work, int n)                          \
+    static void name(const struct vertex_plan *FGL_RESTRICT plan, struct vertex_work *FGL_RESTRICT work, int n)                          \
     {                                                                                                          \
         transform_normals(plan, work, n, to_eye, scaling);                                                     \
     }
@@ -33,7 +33,7 @@ static normal_fn *const normal_kernel[2][3] = {
 
 /* Lights: by key. The digits of a name are the bits of enum light_key, lowest first. */
 
-typedef void light_fn(const struct light_derived *light, const struct lighting_plan *plan, int face, struct vertex_work *work, int n);
+typedef void light_fn(const struct light_derived *FGL_RESTRICT light, const struct lighting_plan *FGL_RESTRICT plan, int face, struct vertex_work *FGL_RESTRICT work, int n);
 
 #define EACH_MATERIAL(M, p, a, s, c, v, x) M(p, a, s, c, v, x, 0) M(p, a, s, c, v, x, 1)
 #define EACH_SPECULAR(M, p, a, s)                                                                                      \
@@ -52,8 +52,8 @@ typedef void light_fn(const struct light_derived *light, const struct lighting_p
 
 #define LIGHT_KEY(p, a, s, c, v, x, m) (p | a << 1 | s << 2 | c << 3 | v << 4 | x << 5 | m << 6)
 #define LIGHT_KERNEL(p, a, s, c, v, x, m)                                                                              \
-    static void light_##p##a##s##c##v##x##m(const struct light_derived *light, const struct lighting_plan *plan,       \
-                                            int face, struct vertex_work *work, int n)                                 \
+    static void light_##p##a##s##c##v##x##m(const struct light_derived *FGL_RESTRICT light, const struct lighting_plan *FGL_RESTRICT plan,       \
+                                            int face, struct vertex_work *FGL_RESTRICT work, int n)                                 \
     {                                                                                                                  \
         add_light(light, plan, face, work, n, LIGHT_KEY(p, a, s, c, v, x, m));                                         \
     }
@@ -62,8 +62,8 @@ EACH_LIGHT(LIGHT_KERNEL)
 #define LIGHT_ENTRY(p, a, s, c, v, x, m) [LIGHT_KEY(p, a, s, c, v, x, m)] = light_##p##a##s##c##v##x##m,
 static light_fn *const light_kernel[LIGHT_KEY_COUNT] = {EACH_LIGHT(LIGHT_ENTRY)};
 
-static void light_general(const struct light_derived *light, const struct lighting_plan *plan, int face, struct vertex_work *work,
-                          int n)
+static void light_general(const struct light_derived *FGL_RESTRICT light, const struct lighting_plan *FGL_RESTRICT plan,
+                          int face, struct vertex_work *FGL_RESTRICT work, int n)
 {
     add_light(light, plan, face, work, n, light->key);
 }
@@ -78,7 +78,7 @@ static void run_positions(const struct vertex_plan *plan, struct vertex_batch *b
             test_user_plane(plan->user_plane_clip[i], (uint32_t)CLIP_USER0 << i, b, first, n);
 }
 
-static void run_normals(const struct vertex_plan *plan, const struct vertex_batch *b, int first, int n,
+static void run_normals(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n,
                         struct vertex_work *work, bool general)
 {
     normal_fn *kernel = general ? normals_general : normal_kernel[plan->normal_in_eye_space][plan->normal_scaling];
@@ -123,7 +123,7 @@ static void run(const struct vertex_plan *plan, struct vertex_batch *b, int firs
 {
     struct vertex_work work;
 
-    n = (n + VERTEX_GROUP - 1) & ~(VERTEX_GROUP - 1);
+    n = whole_groups(n + VERTEX_GROUP - 1);
     run_positions(plan, b, first, n);
     if (plan->need_fog_z)
         eye_distance(plan, b, first, n, b->fog_z);

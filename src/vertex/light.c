@@ -83,7 +83,7 @@ static void derive_materials(struct vertex_plan *plan, const struct server_state
             *source = -1;
             if (follows && plan->varying >> ATTR_COLOR & 1)
                 *source = ATTR_COLOR;
-            else if (plan->varying >> own & 1)
+            else if (!follows && (plan->varying >> own & 1))
                 *source = own;
             light->varying |= *source >= 0 && face < faces && p != MAT_INDEXES;
         }

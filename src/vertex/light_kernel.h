@@ -10,7 +10,7 @@
 #include "vertex/work.h"
 
 /* The product of a light's colour and the material, constant or by vertex. */
-static FGL_ALWAYS_INLINE struct real3 light_product(const struct light_derived *L, const struct vertex_work *work, int face, int i,
+static FGL_ALWAYS_INLINE struct real3 light_product(const struct light_derived *FGL_RESTRICT L, struct vertex_work *FGL_RESTRICT work, int face, int i,
                                                     int color, const bool varying)
 {
     const float *constant = L->product[face][color], *own = L->color[color];
@@ -27,7 +27,7 @@ static FGL_ALWAYS_INLINE struct real3 vec3_of(const float v[3])
 }
 
 /* Adds one light to the sums of n vertices, for one face: the back face's normal is the negated one. */
-static FGL_ALWAYS_INLINE void add_light(const struct light_derived *L, const struct lighting_plan *plan, int face, struct vertex_work *work,
+static FGL_ALWAYS_INLINE void add_light(const struct light_derived *FGL_RESTRICT L, const struct lighting_plan *FGL_RESTRICT plan, int face, struct vertex_work *FGL_RESTRICT work,
                                         int n, const unsigned key)
 {
     const bool positional = key & LIGHT_POSITIONAL, attenuated = key & LIGHT_ATTENUATED, spotted = key & LIGHT_SPOT;
@@ -37,7 +37,7 @@ static FGL_ALWAYS_INLINE void add_light(const struct light_derived *L, const str
     const struct real3 axis = vec3_of(L->spot_direction), toward_eye = vec3_of(plan->view_direction);
     const real side = face ? -1 : 1;
 
-    for (int i = 0; i < n; i++) {
+    for (int i = 0, end = whole_groups(n); i < end; i++) {
         struct real3 normal = load3(work->normal, i);
         struct real3 VP = direction;
         real att = 1, f_spec = 0;
@@ -53,7 +53,7 @@ static FGL_ALWAYS_INLINE void add_light(const struct light_derived *L, const str
         }
         if (spotted) {
             real cosine = -r_dot3(VP, axis);
-            real spot = (L->cos_cutoff < cosine ? (real)1 : (real)0) * r_pow(r_abs(cosine), L->spot_exponent);
+            real spot = r_select(L->cos_cutoff < cosine, r_pow(cosine, L->spot_exponent), 0);
             att = attenuated ? att * spot : spot;
         }
         real n_dot_VP = side * r_dot3(normal, VP);
@@ -65,13 +65,13 @@ static FGL_ALWAYS_INLINE void add_light(const struct light_derived *L, const str
                 h = r_normalize3(r_sub3(VP, load3(work->view, i)));
             else if (positional)
                 h = r_normalize3(r_add3(VP, toward_eye));
-            real n_dot_h = r_max(side * r_dot3(normal, h), 0);
+            real n_dot_h = side * r_dot3(normal, h);
             real shininess = varying ? work->shininess[i] : plan->shininess[face];
             if (zero) /* OSMesa rule: no material has a highlight, and then h is not looked at */
                 f_spec = attenuated || spotted ? r_pow(diffuse, diffuse) : 1;
             else
                 f_spec = r_pow(n_dot_h, shininess);
-            f_spec = n_dot_VP > 0 ? f_spec : 0;
+            f_spec = r_select(n_dot_VP > 0, f_spec, 0);
         }
 
         struct real3 c = load3(work->color, i), ambient = light_product(L, work, face, i, COLOR_AMBIENT, varying);
@@ -94,36 +94,36 @@ static FGL_ALWAYS_INLINE void add_light(const struct light_derived *L, const str
 }
 
 /* One lane of a material parameter: the vertices' own, or the constant. */
-static FGL_ALWAYS_INLINE void load_parameter(const struct lighting_plan *plan, const struct vertex_batch *b, int first, int n,
+static FGL_ALWAYS_INLINE void load_parameter(const struct lighting_plan *FGL_RESTRICT plan, struct vertex_batch *FGL_RESTRICT b, int first, int n,
                                              enum fgl_material parameter, int face, int component, real *FGL_RESTRICT out)
 {
     const int source = plan->source[parameter][face];
     const real constant = plan->material[parameter][face][component];
 
     if (source < 0) {
-        for (int i = 0; i < n; i++)
+        for (int i = 0, end = whole_groups(n); i < end; i++)
             out[i] = constant;
     } else {
-        for (int i = 0; i < n; i++)
+        for (int i = 0, end = whole_groups(n); i < end; i++)
             out[i] = b->in[source].c[component][first + i];
     }
 }
 
 /* Materials that differ by vertex (GL 1.5, 2.14.2 "Lighting Parameter Specification", 2.14.3 "ColorMaterial"): the work space's material of
  * one face, and the sums' start. */
-static FGL_ALWAYS_INLINE void start_varying(const struct lighting_plan *plan, const struct vertex_batch *b, int first, int n, int face,
-                                            struct vertex_work *work)
+static FGL_ALWAYS_INLINE void start_varying(const struct lighting_plan *FGL_RESTRICT plan, struct vertex_batch *FGL_RESTRICT b, int first, int n, int face,
+                                            struct vertex_work *FGL_RESTRICT work)
 {
     for (int color = 0; color < COLOR_COUNT; color++)
         for (int c = 0; c < 3; c++)
             load_parameter(plan, b, first, n, (enum fgl_material)(MAT_AMBIENT + color), face, c, work->material[color][c]);
     load_parameter(plan, b, first, n, MAT_SHININESS, face, 0, work->shininess);
-    for (int i = 0; i < n; i++)
+    for (int i = 0, end = whole_groups(n); i < end; i++)
         work->shininess[i] = r_max(r_min(work->shininess[i], FGL_MAX_SHININESS), -FGL_MAX_SHININESS);
 
     for (int c = 0; c < 3; c++) {
         load_parameter(plan, b, first, n, MAT_EMISSION, face, c, work->color[c]);
-        for (int i = 0; i < n; i++) {
+        for (int i = 0, end = whole_groups(n); i < end; i++) {
             work->color[c][i] = plan->model_ambient[c] * work->material[COLOR_AMBIENT][c][i] + work->color[c][i];
             work->specular[c][i] = 0;
         }
@@ -131,32 +131,32 @@ static FGL_ALWAYS_INLINE void start_varying(const struct lighting_plan *plan, co
 }
 
 /* Starts the sums with emission and the scene's ambient light. */
-static FGL_ALWAYS_INLINE void start_constant(const struct lighting_plan *plan, int face, int n, struct vertex_work *work)
+static FGL_ALWAYS_INLINE void start_constant(const struct lighting_plan *FGL_RESTRICT plan, int face, int n, struct vertex_work *FGL_RESTRICT work)
 {
     for (int c = 0; c < 3; c++)
-        for (int i = 0; i < n; i++) {
+        for (int i = 0, end = whole_groups(n); i < end; i++) {
             work->color[c][i] = plan->base[face][c];
             work->specular[c][i] = 0;
         }
 }
 
 /* Clamps finished sums (GL 1.5, 2.14.6 "Clamping or Masking"). */
-static FGL_ALWAYS_INLINE void clamp_sums(const real sum[3][VERTEX_CHUNK], struct lanes4 *FGL_RESTRICT out, int first, int n)
+static FGL_ALWAYS_INLINE void clamp_sums(real sum[3][VERTEX_CHUNK], struct lanes4 *FGL_RESTRICT out, int first, int n)
 {
     for (int c = 0; c < 3; c++)
-        for (int i = 0; i < n; i++)
+        for (int i = 0, end = whole_groups(n); i < end; i++)
             out->c[c][first + i] = (float)r_clamp01(sum[c][i]);
 }
 
 static FGL_ALWAYS_INLINE void clamp_lane(const float *FGL_RESTRICT in, float *FGL_RESTRICT out, int n)
 {
-    for (int i = 0; i < n; i++)
+    for (int i = 0, end = whole_groups(n); i < end; i++)
         out[i] = fgl_clamp01(in[i]);
 }
 
 static FGL_ALWAYS_INLINE void fill_lane(float value, float *out, int n)
 {
-    for (int i = 0; i < n; i++)
+    for (int i = 0, end = whole_groups(n); i < end; i++)
         out[i] = value;
 }
 

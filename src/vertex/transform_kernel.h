@@ -6,11 +6,11 @@
 #include "vertex/work.h"
 
 /* Clip coordinates, outcodes against the view volume, window coordinates (GL 1.5, 2.11.1 "Controlling the Viewport"). */
-static FGL_ALWAYS_INLINE void transform_positions(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n)
+static FGL_ALWAYS_INLINE void transform_positions(const struct vertex_plan *FGL_RESTRICT plan, struct vertex_batch *FGL_RESTRICT b, int first, int n)
 {
     const float *m = plan->mvp, *scale = plan->viewport_scale, *trans = plan->viewport_trans;
 
-    for (int i = first; i < first + n; i++) {
+    for (int i = first, end = first + whole_groups(n); i < end; i++) {
         struct real4 p = load_position(b, i);
         float x = (float)r_row4(p, m), y = (float)r_row4(p, m + 1);
         float z = (float)r_row4(p, m + 2), w = (float)r_row4(p, m + 3);
@@ -30,53 +30,53 @@ static FGL_ALWAYS_INLINE void transform_positions(const struct vertex_plan *plan
 }
 
 /* GL 1.5, 2.12: the half-space of a client-defined plane, here in clip space: OSMesa rule. */
-static FGL_ALWAYS_INLINE void test_user_plane(const float plane[4], uint32_t bit, struct vertex_batch *b, int first, int n)
+static FGL_ALWAYS_INLINE void test_user_plane(const float plane[4], uint32_t bit, struct vertex_batch *FGL_RESTRICT b, int first, int n)
 {
-    for (int i = first; i < first + n; i++) {
+    for (int i = first, end = first + whole_groups(n); i < end; i++) {
         float xy = fgl_fma(plane[1], b->clip.c[1][i], plane[0] * b->clip.c[0][i]);
         float d = fgl_fma(plane[3], b->clip.c[3][i], fgl_fma(plane[2], b->clip.c[2][i], xy));
         b->outcode[i] |= d < 0 ? bit : 0u;
     }
 }
 
-static FGL_ALWAYS_INLINE void transform_eye(const struct vertex_plan *plan, const struct vertex_batch *b, int first, int n,
-                                            struct vertex_work *work)
+static FGL_ALWAYS_INLINE void transform_eye(const struct vertex_plan *FGL_RESTRICT plan, struct vertex_batch *FGL_RESTRICT b, int first, int n,
+                                            struct vertex_work *FGL_RESTRICT work)
 {
     const float *m = plan->modelview;
 
-    for (int i = 0; i < n; i++) {
+    for (int i = 0, end = whole_groups(n); i < end; i++) {
         struct real4 p = load_position(b, first + i);
         store3(work->eye, i, r_vec3(r_row4(p, m), r_row4(p, m + 1), r_row4(p, m + 2)));
     }
 }
 
-static FGL_ALWAYS_INLINE void normalize_view(struct vertex_work *work, int n)
+static FGL_ALWAYS_INLINE void normalize_view(struct vertex_work *FGL_RESTRICT work, int n)
 {
-    for (int i = 0; i < n; i++)
+    for (int i = 0, end = whole_groups(n); i < end; i++)
         store3(work->view, i, r_normalize3(load3(work->eye, i)));
 }
 
-static FGL_ALWAYS_INLINE void load_normals(const struct vertex_plan *plan, const struct vertex_batch *b, int first, int n,
-                                           struct vertex_work *work)
+static FGL_ALWAYS_INLINE void load_normals(const struct vertex_plan *FGL_RESTRICT plan, struct vertex_batch *FGL_RESTRICT b, int first, int n,
+                                           struct vertex_work *FGL_RESTRICT work)
 {
     const bool varying = plan->varying >> ATTR_NORMAL & 1;
 
     for (int c = 0; c < 3; c++)
         if (varying)
-            for (int i = 0; i < n; i++)
+            for (int i = 0, end = whole_groups(n); i < end; i++)
                 work->normal[c][i] = b->in[ATTR_NORMAL].c[c][first + i];
         else
-            for (int i = 0; i < n; i++)
+            for (int i = 0, end = whole_groups(n); i < end; i++)
                 work->normal[c][i] = plan->constant[ATTR_NORMAL][c];
 }
 
 /* GL 1.5, 2.11.3 "Normal Transformation". */
-static FGL_ALWAYS_INLINE void transform_normals(const struct vertex_plan *plan, struct vertex_work *work, int n,
+static FGL_ALWAYS_INLINE void transform_normals(const struct vertex_plan *FGL_RESTRICT plan, struct vertex_work *FGL_RESTRICT work, int n,
                                                 const bool to_eye, const enum normal_scaling scaling)
 {
     const float(*m)[3] = plan->normal_matrix;
 
-    for (int i = 0; i < n; i++) {
+    for (int i = 0, end = whole_groups(n); i < end; i++) {
         struct real3 v = load3(work->normal, i);
         if (to_eye)
             v = r_vec3(r_row3(v, m[0]), r_row3(v, m[1]), r_row3(v, m[2]));
@@ -89,19 +89,19 @@ static FGL_ALWAYS_INLINE void transform_normals(const struct vertex_plan *plan, 
 }
 
 /* |z| in eye space: the distance that fog and point attenuation use (GL 1.5, 3.10 "Fog"). */
-static FGL_ALWAYS_INLINE void eye_distance(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n,
+static FGL_ALWAYS_INLINE void eye_distance(const struct vertex_plan *FGL_RESTRICT plan, struct vertex_batch *FGL_RESTRICT b, int first, int n,
                                            float *FGL_RESTRICT distance)
 {
-    for (int i = first; i < first + n; i++)
+    for (int i = first, end = first + whole_groups(n); i < end; i++)
         distance[i] = (float)r_abs(r_row4_w_first(load_position(b, i), plan->modelview + 2));
 }
 
 /* GL 1.5, 3.3 "Points": the size attenuated by distance. */
-static FGL_ALWAYS_INLINE void point_sizes(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n)
+static FGL_ALWAYS_INLINE void point_sizes(const struct vertex_plan *FGL_RESTRICT plan, struct vertex_batch *FGL_RESTRICT b, int first, int n)
 {
     const float *k = plan->point_attenuation;
 
-    for (int i = first; i < first + n; i++) {
+    for (int i = first, end = first + whole_groups(n); i < end; i++) {
         real d = r_abs(r_row4_w_first(load_position(b, i), plan->modelview + 2));
         real size = plan->point_size * r_rsqrt(k[0] + d * (k[1] + d * k[2]));
         b->point_size[i] = (float)r_min(r_max(size, plan->point_size_min), plan->point_size_max);

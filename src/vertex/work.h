@@ -9,6 +9,12 @@
 /* Kernels work on whole groups of this many vertices; what they compute behind the last one is never read. */
 enum { VERTEX_GROUP = 16 };
 
+/* n, which is whole groups already, told to the compiler: it needs no code for what is left over. */
+static FGL_ALWAYS_INLINE int whole_groups(int n)
+{
+    return n & ~(VERTEX_GROUP - 1);
+}
+
 struct vertex_work {
     real eye[3][VERTEX_CHUNK];      /* eye space position */
     real view[3][VERTEX_CHUNK];     /* unit vector from the eye to the vertex; local viewer only */
@@ -19,7 +25,8 @@ struct vertex_work {
     real shininess[VERTEX_CHUNK];
 };
 
-static FGL_ALWAYS_INLINE struct real3 load3(const real a[3][VERTEX_CHUNK], int i)
+/* Read through pointers without const: GCC 12 does not vectorise over arrays of arrays of const. */
+static FGL_ALWAYS_INLINE struct real3 load3(real a[3][VERTEX_CHUNK], int i)
 {
     return r_vec3(a[0][i], a[1][i], a[2][i]);
 }
@@ -31,9 +38,9 @@ static FGL_ALWAYS_INLINE void store3(real a[3][VERTEX_CHUNK], int i, struct real
     a[2][i] = v.z;
 }
 
-static FGL_ALWAYS_INLINE struct real4 load_position(const struct vertex_batch *b, int i)
+static FGL_ALWAYS_INLINE struct real4 load_position(struct vertex_batch *b, int i)
 {
-    const struct lanes4 *in = &b->in[ATTR_POSITION];
+    struct lanes4 *in = &b->in[ATTR_POSITION];
     return (struct real4){in->c[0][i], in->c[1][i], in->c[2][i], in->c[3][i]};
 }
 
