@@ -161,11 +161,23 @@ static void rasterize(const struct font *font, const char *glyph, int descent, u
     }
 }
 
+typedef void (*bitmap_function)(GLsizei, GLsizei, GLfloat, GLfloat, GLfloat, GLfloat, const GLubyte *);
+
+/* Looked up and not linked: a core without glBitmap draws no bitmap text, but all else. */
+static bitmap_function find_bitmap(void)
+{
+    static bitmap_function found;
+    if (!found)
+        found = (bitmap_function)OSMesaGetProcAddress("glBitmap");
+    return found;
+}
+
 void glutBitmapCharacter(void *handle, int character)
 {
     const struct font *font = find_font("glutBitmapCharacter", handle, true);
     const char *glyph = find_glyph(character);
-    if (!font || !glyph)
+    bitmap_function bitmap = find_bitmap();
+    if (!font || !glyph || !bitmap)
         return;
     unsigned char bits[BITMAP_STRIDE * BITMAP_ROWS] = {0};
     int descent = round_pixel(GLYPH_DESCENT * unit(font));
@@ -178,7 +190,7 @@ void glutBitmapCharacter(void *handle, int character)
     glPixelStorei(GL_UNPACK_SKIP_ROWS, 0);
     glPixelStorei(GL_UNPACK_SKIP_PIXELS, 0);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glBitmap(width, descent + (int)font->capital + 1, 0, (float)descent, (float)width, 0, bits);
+    bitmap(width, descent + (int)font->capital + 1, 0, (float)descent, (float)width, 0, bits);
     glPopClientAttrib();
 }
 

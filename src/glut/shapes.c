@@ -13,18 +13,18 @@ static struct {
     size_t size;
 } scratch;
 
-bool fgl_shape_reserve(struct shape_mesh *mesh, size_t vertices, size_t indices, int circle_points)
+bool fgl_shape_reserve(struct shape_mesh *mesh, uint64_t vertices, uint64_t indices, int circle_points)
 {
-    if (vertices > INT_MAX / 8 || indices > INT_MAX / 8) {
-        fgl_glut_warn("a shape of %zu vertices is too large", vertices);
+    if (vertices > INT_MAX / 64 || indices > INT_MAX / 64) {
+        fgl_glut_warn("a shape of %llu vertices is too large", (unsigned long long)vertices);
         return false;
     }
-    size_t size = 2 * vertices * sizeof(float[3]) + indices * sizeof(GLuint) +
+    size_t size = 2 * (size_t)vertices * sizeof(float[3]) + (size_t)indices * sizeof(GLuint) +
                   (size_t)circle_points * sizeof(float[2]);
     if (size > scratch.size) {
         unsigned char *bytes = realloc(scratch.bytes, size);
         if (!bytes) {
-            fgl_glut_warn("no memory for a shape of %zu vertices", vertices);
+            fgl_glut_warn("no memory for a shape of %llu vertices", (unsigned long long)vertices);
             return false;
         }
         scratch.bytes = bytes;
@@ -110,8 +110,8 @@ static bool make_sphere(struct shape_mesh *m, float radius, int slices, int stac
 {
     if (slices < 1 || stacks < 2)
         return false;
-    size_t vertices = (size_t)slices * (size_t)(stacks - 1) + 2;
-    size_t indices = 2 * ((size_t)slices + 1) * (size_t)stacks + vertices;
+    uint64_t vertices = (uint64_t)slices * (uint64_t)(stacks - 1) + 2;
+    uint64_t indices = 2 * ((uint64_t)slices + 1) * (uint64_t)stacks + vertices;
     if (!fgl_shape_reserve(m, vertices, indices, slices))
         return false;
     make_circle(m->circle, slices);
@@ -156,7 +156,7 @@ void glutWireSphere(double radius, GLint slices, GLint stacks)
     fgl_glut_require_init("glutWireSphere");
     if (!make_sphere(&m, (float)radius, slices, stacks))
         return;
-    GLuint *meridian = m.index, *parallel = m.index + (size_t)slices * ((size_t)stacks + 1);
+    GLuint *meridian = m.index, *parallel = m.index + (uint64_t)slices * ((uint64_t)stacks + 1);
     GLuint last = (GLuint)slices * (GLuint)(stacks - 1) + 1;
     GLuint *out = meridian;
     for (int j = 0; j < slices; j++) {
@@ -179,8 +179,8 @@ static bool make_cone(struct shape_mesh *m, float base, float height, int slices
 {
     if (slices < 1 || stacks < 1)
         return false;
-    size_t vertices = (size_t)slices * ((size_t)stacks + 2) + 1;
-    size_t indices = 2 * ((size_t)slices + 1) * ((size_t)stacks + 1) + 2 * (size_t)slices;
+    uint64_t vertices = (uint64_t)slices * ((uint64_t)stacks + 2) + 1;
+    uint64_t indices = 2 * ((uint64_t)slices + 1) * ((uint64_t)stacks + 1) + 2 * (uint64_t)slices;
     if (!fgl_shape_reserve(m, vertices, indices, slices))
         return false;
     make_circle(m->circle, slices);
@@ -250,8 +250,8 @@ static bool make_torus(struct shape_mesh *m, float inner, float outer, int sides
 {
     if (sides < 2 || rings < 2)
         return false;
-    size_t vertices = (size_t)sides * (size_t)rings;
-    if (!fgl_shape_reserve(m, vertices, 2 * ((size_t)rings + 1) * (size_t)sides, sides))
+    uint64_t vertices = (uint64_t)sides * (uint64_t)rings;
+    if (!fgl_shape_reserve(m, vertices, 2 * ((uint64_t)rings + 1) * (uint64_t)sides, sides))
         return false;
     make_circle(m->circle, sides);
     size_t v = 0;

@@ -4,7 +4,7 @@
 #define FGL_GLUT_SHAPES_H
 
 #include <stdbool.h>
-#include <stddef.h>
+#include <stdint.h>
 #include <GL/gl.h>
 
 struct shape_mesh {
@@ -15,7 +15,7 @@ struct shape_mesh {
 };
 
 /* Makes room for a mesh. False, with a message, when the size overflows or memory is short. */
-bool fgl_shape_reserve(struct shape_mesh *mesh, size_t vertices, size_t indices, int circle_points);
+bool fgl_shape_reserve(struct shape_mesh *mesh, uint64_t vertices, uint64_t indices, int circle_points);
 
 /* Points the vertex and normal arrays at the mesh and enables them; end disables them again. As in freeglut
  * the array pointers and the two enables are left changed for the caller. */

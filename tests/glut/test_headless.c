@@ -291,6 +291,8 @@ static void test_menus(void **state)
                FIRST "menu 1;menu 12;mouse 0 0 1 1;mouse 0 1 1 1;");
     expect_run(menu_program, VARIABLES("FIXEDGL_EVENTS=menu 3"), 2,
                FIRST "fixedglut: FIXEDGL_EVENTS: statement 1: no such menu item\n");
+    expect_run(menu_program, VARIABLES("FIXEDGL_EVENTS=menu 1 1"), 2,
+               FIRST "fixedglut: FIXEDGL_EVENTS: statement 1: no such menu item\n");
     expect_run(menu_program, VARIABLES("FIXEDGL_EVENTS=menu 2"), 2,
                FIRST "fixedglut: FIXEDGL_EVENTS: statement 1: no such menu item\n");
 }
