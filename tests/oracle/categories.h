@@ -1,0 +1,23 @@
+/* The categories of scenes that accuracy is promised and measured for. */
+#ifndef ORACLE_CATEGORIES_H
+#define ORACLE_CATEGORIES_H
+
+#include "oracle/random.h"
+#include "oracle/scene.h"
+
+/* The greatest error allowed of a color component in [0,1]; 0: measured only. */
+struct oracle_bounds {
+    double exact, compatible, fast;
+};
+
+struct oracle_category {
+    const char *name;
+    void (*generate)(struct random *random, struct oracle_scene *scene, double parameter);
+    double parameter; /* what it is, the generator says */
+    struct oracle_bounds bounds;
+};
+
+extern const struct oracle_category oracle_categories[];
+extern const int oracle_category_count;
+
+#endif

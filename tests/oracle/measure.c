@@ -1,0 +1,90 @@
+#include "oracle/measure.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { COMPONENTS = 4 * ORACLE_VERTICES };
+
+struct tally {
+    struct oracle_error error;
+    float *errors; /* of each component, for the percentile */
+};
+
+static int to_byte(double x)
+{
+    return (int)floor(x * 255 + 0.5);
+}
+
+static void count(struct tally *tally, double error, struct oracle_worst where)
+{
+    struct oracle_error *e = &tally->error;
+    tally->errors[e->components++] = (float)error;
+    e->mean += error;
+    if (error > e->max) {
+        e->max = error;
+        e->worst = where;
+    }
+}
+
+static void compare_vertex(struct tally *tally, const struct oracle_color *truth, const float drawn[4],
+                           bool sum_of_two, struct oracle_worst where)
+{
+    for (where.component = 0; where.component < 4; where.component++) {
+        where.truth = truth->drawn ? (double)truth->component[where.component] : 0;
+        where.drawn = (double)drawn[where.component];
+        if (sum_of_two && where.drawn > 1 && where.drawn <= 2)
+            where.drawn = 1; /* a buffer of floats holds the sum before it is clamped */
+        const bool valid = where.drawn >= 0 && where.drawn <= 1;
+        tally->error.invalid += !valid;
+        tally->error.wrong_bytes += !valid || to_byte(where.truth) != to_byte(where.drawn);
+        const bool both = truth->drawn || where.drawn == 0;
+        const quad exact = truth->drawn ? truth->component[where.component] : 0;
+        const double error = fabs((double)((quad)where.drawn - exact));
+        count(tally, valid && both ? error : 1, where);
+    }
+}
+
+static void compare_scene(struct tally *tally, const struct oracle_scene *scene, int number, double margin)
+{
+    float rgba[ORACLE_VERTICES][4];
+    oracle_draw(scene, rgba);
+    for (int i = 0; i < scene->count; i++) {
+        const struct oracle_color truth = oracle_shade(&scene->state, &scene->vertex[i]);
+        if (truth.to_cone_edge < (quad)margin || truth.to_horizon < (quad)margin) {
+            tally->error.at_edge += 4;
+            continue;
+        }
+        const struct oracle_worst where = {.scene = number, .vertex = i};
+        compare_vertex(tally, &truth, rgba[i], scene->state.separate_specular, where);
+    }
+}
+
+static int ascending(const void *a, const void *b)
+{
+    const float x = *(const float *)a, y = *(const float *)b;
+    return (x > y) - (x < y);
+}
+
+struct oracle_error oracle_measure(int category, uint64_t seed, int scenes, double margin)
+{
+    struct tally tally = {.errors = malloc((size_t)scenes * COMPONENTS * sizeof(float))};
+    if (tally.errors == NULL)
+        abort();
+    for (int i = 0; i < scenes; i++) {
+        struct random random = random_stream(seed, (uint64_t)category << 32 | (uint64_t)i);
+        struct oracle_scene scene;
+        const struct oracle_category *c = &oracle_categories[category];
+        memset(&scene, 0, sizeof scene);
+        c->generate(&random, &scene, c->parameter);
+        compare_scene(&tally, &scene, i, margin);
+    }
+    struct oracle_error *e = &tally.error;
+    if (e->components > 0) {
+        qsort(tally.errors, (size_t)e->components, sizeof(float), ascending);
+        e->p999 = (double)tally.errors[(e->components - 1) * 999 / 1000];
+        e->mean /= (double)e->components;
+    }
+    free(tally.errors);
+    return tally.error;
+}

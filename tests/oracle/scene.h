@@ -1,0 +1,27 @@
+/* Scenes for the oracle: one lighting state and the vertices lit by it, and how they are drawn. */
+#ifndef ORACLE_SCENE_H
+#define ORACLE_SCENE_H
+
+#include "oracle/lighting.h"
+
+enum { ORACLE_VERTICES = 64 };
+
+struct oracle_scene {
+    struct oracle_state state;
+    bool triangles; /* each vertex is the last of a flat triangle, else a point; needs a modelview matrix with
+                       a tame inverse and w = 1 */
+    bool alone;     /* each vertex in a draw call of its own, for those that draw nothing */
+    int count;
+    struct oracle_vertex vertex[ORACLE_VERTICES];
+};
+
+/* Makes a context with a buffer of floats current, in which every color comes back as it was computed: false
+ * if that fails. */
+bool oracle_open(void);
+void oracle_close(void);
+
+/* Draws the scene with the functions of GL/gl.h, of whichever library the program runs on. rgba[i] is the
+ * color of vertex i; 0, 0, 0, 0 if it drew nothing. */
+void oracle_draw(const struct oracle_scene *scene, float rgba[ORACLE_VERTICES][4]);
+
+#endif
