@@ -40,7 +40,6 @@ enum smoothing {
 struct planes {
     float a00[LANE_MAX], dadx[LANE_MAX], dady[LANE_MAX];
     float z_offset; /* polygon offset, added to z before it is clamped */
-    bool front;
     enum smoothing smoothing;
     const struct polygon_stipple_state *stipple; /* NULL: none */
 };

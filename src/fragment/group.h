@@ -26,26 +26,22 @@ static FGL_ALWAYS_INLINE float plane_at(const struct planes *p, int lane, float 
 /* Round half to even, for 0 <= v < 2^22: in the sum with 2^23 the last place is 1, so that the low bits are the integer. */
 static FGL_ALWAYS_INLINE int32_t round_small(float v)
 {
-    const float sum = v + 8388608.0f;
-    int32_t bits;
-    memcpy(&bits, &sum, sizeof bits);
-    return bits & 0x3fffff;
+    return (int32_t)(fgl_float_bits(v + 8388608.0f) & 0x3fffff);
 }
 
-/* Clamped to [0,1]; NaN gives 0. */
+/* Clamped to [0,1]; NaN gives 0. Positive floats are ordered as their bits are, and vector units have the minimum of integers. */
 static FGL_ALWAYS_INLINE float saturate(float v)
 {
-    const float positive = v > 0.0f ? v : 0.0f;
-    return positive < 1.0f ? positive : 1.0f;
+    const uint32_t bits = fgl_float_bits(v > 0.0f ? v : 0.0f), one = 0x3f800000;
+    return fgl_bits_float(bits < one ? bits : one);
 }
 
-/* Window z to the depth buffer's integer: round half to even of z * (2^bits - 1) in float arithmetic, as OSMesa. From 2^23 on every float
- * is an integer already. */
+/* Window z to the depth buffer's integer: round half to even of z * (2^bits - 1) in float arithmetic, as OSMesa. From 2^23 on every
+ * float is an integer already. */
 static FGL_ALWAYS_INLINE int32_t depth_from_z(float z, float depth_max)
 {
-    const float scaled = saturate(z) * depth_max;
-    const float rounded = (scaled + 8388608.0f) - 8388608.0f;
-    return (int32_t)(scaled < 8388608.0f ? rounded : scaled);
+    const float scaled = saturate(z) * depth_max, magic = scaled < 8388608.0f ? 8388608.0f : 0.0f;
+    return (int32_t)((scaled + magic) - magic);
 }
 
 static FGL_ALWAYS_INLINE uint32_t pack_unorm8(float r, float g, float b, float a)

@@ -17,61 +17,68 @@
 
 #include "raster/raster.h"
 
-enum { POLYGON_EDGES = 4, COVER_ROWS = 4 }; /* edges at most; rows worked on at once */
+enum { COVER_ROWS = 4 }; /* worked on at once */
 
-/* Primitives with a coordinate of this many pixels or more are not drawn: in units of 1/256 pixel coordinates then stay below 2^25, a and b below
- * 2^26, and c and K below 2^53. No viewport that GL accepts leads there. */
+/* Triangles of more than this area, in units of 1/256 pixel squared, are not drawn, nor are those whose area is not a number. */
+#define LARGEST_AREA 1125899906842624.0 /* 2^50 */
+
+/* Lines and points with a coordinate of this many pixels or more are not drawn. No viewport that GL accepts leads there; below it units of 1/256 pixel
+ * stay under 2^25, a and b under 2^26, c and K under 2^53. */
 #define RASTER_LIMIT 131072.0f
 
-static FGL_ALWAYS_INLINE bool within_limit(const float *v) /* false for NaN */
+/* Bounding boxes end here, outside of every framebuffer and within int. */
+#define FAR (256.0 * (FGL_MAX_VIEWPORT + 2))
+
+static inline bool within_limit(const float *v) /* false for NaN */
 {
-    return (fabsf(v[LANE_X]) < RASTER_LIMIT) & (fabsf(v[LANE_Y]) < RASTER_LIMIT);
+    return fabsf(v[LANE_X]) < RASTER_LIMIT && fabsf(v[LANE_Y]) < RASTER_LIMIT;
 }
 
-/* Round half to even, |v| < 2^31. */
+/* Round half to even, |v| < 2^51. */
 static FGL_ALWAYS_INLINE double round_even(double v)
 {
     const double magic = 6755399441055744.0; /* 1.5 * 2^52: the sum's last place is 1 */
     return (v + magic) - magic;
 }
 
-/* OSMesa rule: a triangle's vertex goes to the nearest 1/256 pixel, half to even. */
-static FGL_ALWAYS_INLINE struct snapped snap(const float *v)
-{
-    return (struct snapped){round_even((double)((v[LANE_X] - 0.5f) * 256.0f)), round_even((double)((v[LANE_Y] - 0.5f) * 256.0f))};
-}
+/* OSMesa rule: a triangle's window coordinate goes to the nearest 1/256 pixel, half to even. */
+static FGL_ALWAYS_INLINE double snap(float v) { return round_even((double)((v - 0.5f) * 256.0f)); }
 
-/* The pixels that a polygon with these vertices may cover, within bounds. */
-static FGL_ALWAYS_INLINE struct rect bounding_box(const struct snapped *v, const int n, const struct rect *bounds)
+static FGL_ALWAYS_INLINE double min2(double a, double b) { return a < b ? a : b; }
+static FGL_ALWAYS_INLINE double max2(double a, double b) { return a > b ? a : b; }
+
+static FGL_ALWAYS_INLINE double min3(double a, double b, double c) { return min2(min2(a, b), c); }
+static FGL_ALWAYS_INLINE double max3(double a, double b, double c) { return max2(max2(a, b), c); }
+
+/* A snapped coordinate as an integer. */
+static FGL_ALWAYS_INLINE int32_t near_int(double v) { return (int32_t)min2(max2(v, -FAR), FAR); }
+
+/* The pixels that the polygon may cover, within bounds. */
+static FGL_ALWAYS_INLINE struct rect bounding_box(const struct polygon *p, const struct rect *bounds)
 {
-    double x0 = v[0].x, x1 = v[0].x, y0 = v[0].y, y1 = v[0].y;
-    for (int i = 1; i < n; i++) {
-        x0 = v[i].x < x0 ? v[i].x : x0;
-        x1 = v[i].x > x1 ? v[i].x : x1;
-        y0 = v[i].y < y0 ? v[i].y : y0;
-        y1 = v[i].y > y1 ? v[i].y : y1;
-    }
-    return (struct rect){fgl_max(bounds->x0, ((int)x0 + 255) >> 8), fgl_max(bounds->y0, ((int)y0 >> 8) + 1),
-                         fgl_min(bounds->x1, ((int)x1 + 255) >> 8), fgl_min(bounds->y1, ((int)y1 >> 8) + 1)};
+    const double x0 = min2(min3(p->x[0], p->x[1], p->x[2]), p->x[3]), x1 = max2(max3(p->x[0], p->x[1], p->x[2]), p->x[3]);
+    const double y0 = min2(min3(p->y[0], p->y[1], p->y[2]), p->y[3]), y1 = max2(max3(p->y[0], p->y[1], p->y[2]), p->y[3]);
+    return (struct rect){fgl_max(bounds->x0, (near_int(x0) + 255) >> 8), fgl_max(bounds->y0, (near_int(y0) >> 8) + 1),
+                         fgl_min(bounds->x1, (near_int(x1) + 255) >> 8), fgl_min(bounds->y1, (near_int(y1) >> 8) + 1)};
 }
 
 /* For each edge, the integers K (of the box's first row, and its step from row to row) and D. Columns count from the one left of the box. */
 struct edges {
     double k[POLYGON_EDGES], step[POLYGON_EDGES], d[POLYGON_EDGES];
-    bool from_below[POLYGON_EDGES]; /* a < 0: bounds x from below */
+    double below[POLYGON_EDGES]; /* 1: a < 0, the edge bounds x from below; 0: from above */
 };
 
-/* The edges of a polygon whose vertices run counter-clockwise as GL sees it. */
-static FGL_ALWAYS_INLINE void edges_setup(struct edges *e, const struct snapped *v, const int n, const struct rect *box)
+/* Edges from p to q. sign: 1 if they run counter-clockwise as GL sees it, -1 if clockwise. */
+static FGL_ALWAYS_INLINE void edges_setup(struct edges *FGL_RESTRICT e, const struct polygon *p, const struct polygon *q, double sign,
+                                          const struct rect *box)
 {
     const double left = box->x0 - 1, top = 256.0 * box->y0;
-    for (int i = 0; i < n; i++) {
-        const struct snapped p = v[i], q = v[i + 1 == n ? 0 : i + 1];
-        const double a = p.y - q.y, b = p.x - q.x;
+    for (int i = 0; i < POLYGON_EDGES; i++) {
+        const double a = (p->y[i] - q->y[i]) * sign, b = (p->x[i] - q->x[i]) * sign;
         const double own = (a < 0.0) | ((a == 0.0) & (b < 0.0)) ? 1.0 : 0.0;
-        const double c = (a * p.x - b * p.y) + own + b * top;
+        const double c = (a * p->x[i] - b * p->y[i]) + own + b * top;
         const double d = 256.0 * fabs(a);
-        e->from_below[i] = a < 0.0;
+        e->below[i] = a < 0.0 ? 1.0 : 0.0;
         e->step[i] = a < 0.0 ? -256.0 * b : 256.0 * b;
         e->k[i] = (a < 0.0 ? -c : a > 0.0 ? c - 1.0 : c) - d * left;
         e->d[i] = a == 0.0 ? 1.0 / 65536.0 : d; /* level edge: K is E, whose sign admits all columns of the row or none */
@@ -81,7 +88,7 @@ static FGL_ALWAYS_INLINE void edges_setup(struct edges *e, const struct snapped 
 /* The runs of rows first.. of the box. Returns whether any is not empty. */
 static FGL_ALWAYS_INLINE bool cover_rows(const struct edges *e, const int n, const struct rect *box, int first, struct runs *runs)
 {
-    const double width = box->x1 - box->x0;
+    const double width = box->x1 - box->x0, far = 1e30; /* beyond any bound */
     const int rows = fgl_min(RUNS_MAX, box->y1 - box->y0 - first);
     int32_t any = 0;
     runs->y = box->y0 + first;
@@ -91,14 +98,11 @@ static FGL_ALWAYS_INLINE bool cover_rows(const struct edges *e, const int n, con
             double lo = 0.0, hi = width;
             for (int j = 0; j < n; j++) {
                 const double bound = (e->k[j] + e->step[j] * (first + i)) / e->d[j];
-                const double below = e->from_below[j] ? bound : 0.0, above = e->from_below[j] ? width : bound;
-                lo = below > lo ? below : lo;
-                hi = above < hi ? above : hi;
+                lo = max2(bound * e->below[j], lo);
+                hi = min2(bound + far * e->below[j], hi);
             }
-            lo = lo < width ? lo : width;
-            hi = hi > 0.0 ? hi : 0.0;
-            runs->x0[i] = box->x0 + (int32_t)lo;
-            runs->x1[i] = box->x0 + (int32_t)hi;
+            runs->x0[i] = box->x0 + (int32_t)min2(lo, width);
+            runs->x1[i] = box->x0 + (int32_t)max2(hi, 0.0);
             any |= runs->x0[i] - runs->x1[i]; /* negative when not empty */
         }
     return any < 0;

@@ -4,10 +4,11 @@
 #include "raster/setup.h"
 
 /* The planes of a triangle whose facing is known. Vertices are in set-up order. */
-static void setup_planes(const struct raster_plan *plan, struct planes *planes, const float *const v[3], const float *provoking)
+static FGL_ALWAYS_INLINE void setup_planes(const struct raster_plan *plan, struct planes *planes, const float *const v[3],
+                                           const float *provoking, bool front)
 {
     const struct gradients g = gradients_of(v);
-    const bool back = plan->two_sided && !planes->front, secondary = plan->fragment->has_secondary;
+    const bool back = plan->two_sided && !front, secondary = plan->fragment->has_secondary;
     const int color = back ? plan->back_lane : LANE_COLOR;
 
     plane_lanes(planes, 0, LANE_COLOR, false, &g, v, 0);
@@ -47,38 +48,32 @@ enum { CULL_GROUP = 64 };
 static FGL_ALWAYS_INLINE void draw_triangle(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2,
                                             const float *provoking, const enum smoothing smoothing)
 {
-    if (!within_limit(v0) || !within_limit(v1) || !within_limit(v2))
-        return;
-    struct snapped s[3] = {snap(v0), snap(v1), snap(v2)};
-    const double area = (s[0].x - s[1].x) * (s[2].y - s[0].y) - (s[2].x - s[0].x) * (s[0].y - s[1].y);
+    const double x0 = snap(v0[LANE_X]), x1 = snap(v1[LANE_X]), x2 = snap(v2[LANE_X]);
+    const double y0 = snap(v0[LANE_Y]), y1 = snap(v1[LANE_Y]), y2 = snap(v2[LANE_Y]);
+    const double area = (x0 - x1) * (y2 - y0) - (x2 - x0) * (y0 - y1);
     const bool ccw = area > 0.0;
-    if (area == 0.0 || (!smoothing && (ccw ? plan->cull_ccw : plan->cull_cw)))
+    if (!(area != 0.0 && fabs(area) < LARGEST_AREA) || (!smoothing && (ccw ? plan->cull_ccw : plan->cull_cw)))
         return;
-    const struct rect box = bounding_box(s, 3, &plan->bounds);
+    const struct polygon from = {{x0, x1, x2, x0}, {y0, y1, y2, y0}}, to = {{x1, x2, x0, x1}, {y1, y2, y0, y1}};
+    const struct rect box = bounding_box(&from, &plan->bounds);
     if (box.x0 >= box.x1 || box.y0 >= box.y1)
         return;
-    const float *const v[3] = {ccw ? v0 : v1, ccw ? v1 : v0, v2};
-    if (!ccw) {
-        const struct snapped first = s[0];
-        s[0] = s[1];
-        s[1] = first;
-    }
 
+    const float *const v[3] = {ccw ? v0 : v1, ccw ? v1 : v0, v2}; /* in set-up order */
     const struct fragment_plan *fragment = plan->fragment;
     fragment_fill_fn *fill = smoothing || plan->polygon_stipple ? fragment->general : fragment->fill;
     struct edges edges;
     struct planes planes;
     struct runs runs;
     bool ready = false;
-    planes.front = smoothing || ccw == plan->front_is_ccw;
-    edges_setup(&edges, s, 3, &box);
+    edges_setup(&edges, &from, &to, ccw ? 1.0 : -1.0, &box);
     for (int first = 0; first < box.y1 - box.y0; first += RUNS_MAX) {
         if (!cover_rows(&edges, 3, &box, first, &runs))
             continue;
         if (!ready && smoothing)
             setup_smooth_planes(plan, &planes, v, provoking, smoothing);
         else if (!ready)
-            setup_planes(plan, &planes, v, provoking);
+            setup_planes(plan, &planes, v, provoking, ccw == plan->front_is_ccw);
         ready = true;
         fill(fragment, &planes, &runs);
     }
@@ -97,9 +92,6 @@ static void smooth_triangle(const struct raster_plan *plan, const float *v0, con
     else
         draw_triangle(plan, v0, v1, v2, provoking, SMOOTH_POINT);
 }
-
-static FGL_ALWAYS_INLINE double min3(double a, double b, double c) { return a < b ? (a < c ? a : c) : (b < c ? b : c); }
-static FGL_ALWAYS_INLINE double max3(double a, double b, double c) { return a > b ? (a > c ? a : c) : (b > c ? b : c); }
 
 /* Window x and y of the vertices of a group of triangles. */
 struct corners {
@@ -123,17 +115,15 @@ static FGL_ALWAYS_INLINE void cull_boxes(const struct raster_plan *plan, const s
 {
     const double drop_ccw = plan->cull_ccw ? -1.0 : 1.0, drop_cw = plan->cull_cw ? -1.0 : 1.0;
     for (int i = 0; i < CULL_GROUP; i++) {
-        const float a[2] = {v->x[0][i], v->y[0][i]}, b[2] = {v->x[1][i], v->y[1][i]}, c[2] = {v->x[2][i], v->y[2][i]};
-        const struct snapped p = snap(a), q = snap(b), r = snap(c);
-        const double area = (p.x - q.x) * (r.y - p.y) - (r.x - p.x) * (p.y - q.y);
+        const double ax = snap(v->x[0][i]), bx = snap(v->x[1][i]), cx = snap(v->x[2][i]);
+        const double ay = snap(v->y[0][i]), by = snap(v->y[1][i]), cy = snap(v->y[2][i]);
+        const double area = (ax - bx) * (cy - ay) - (cx - ax) * (ay - by);
         const double sign = area > 0.0 ? drop_ccw : area < 0.0 ? drop_cw : -1.0;
-        const double keep = within_limit(a) & within_limit(b) & within_limit(c) ? sign : -1.0;
-        const double left = min3(p.x, q.x, r.x), right = max3(p.x, q.x, r.x);
-        const double top = min3(p.y, q.y, r.y), bottom = max3(p.y, q.y, r.y);
-        x0[i] = ((int32_t)(keep > 0.0 ? left : 0.0) + 255) >> 8;
-        x1[i] = ((int32_t)(keep > 0.0 ? right : 0.0) + 255) >> 8;
-        y0[i] = ((int32_t)(keep > 0.0 ? top : 0.0) >> 8) + 1;
-        y1[i] = ((int32_t)(keep > 0.0 ? bottom : 0.0) >> 8) + 1;
+        const double keep = fabs(area) < LARGEST_AREA ? sign : -1.0;
+        x0[i] = (near_int(keep > 0.0 ? min3(ax, bx, cx) : 0.0) + 255) >> 8;
+        x1[i] = (near_int(keep > 0.0 ? max3(ax, bx, cx) : 0.0) + 255) >> 8;
+        y0[i] = (near_int(keep > 0.0 ? min3(ay, by, cy) : 0.0) >> 8) + 1;
+        y1[i] = (near_int(keep > 0.0 ? max3(ay, by, cy) : 0.0) >> 8) + 1;
     }
 }
 
@@ -163,16 +153,21 @@ static int cull(const struct raster_plan *plan, const struct cull_input *in, int
     return count;
 }
 
-static void quad(const struct raster_plan *plan, const struct snapped corner[4], const struct planes *planes)
+static void quad(const struct raster_plan *plan, const struct polygon *corners, const struct planes *planes)
 {
-    const struct rect box = bounding_box(corner, 4, &plan->bounds);
+    const struct rect box = bounding_box(corners, &plan->bounds);
+    struct polygon to;
     struct edges edges;
     struct runs runs;
     if (box.x0 >= box.x1)
         return;
-    edges_setup(&edges, corner, 4, &box);
+    for (int i = 0; i < POLYGON_EDGES; i++) {
+        to.x[i] = corners->x[(i + 1) % POLYGON_EDGES];
+        to.y[i] = corners->y[(i + 1) % POLYGON_EDGES];
+    }
+    edges_setup(&edges, corners, &to, 1.0, &box);
     for (int first = 0; first < box.y1 - box.y0; first += RUNS_MAX)
-        if (cover_rows(&edges, 4, &box, first, &runs))
+        if (cover_rows(&edges, POLYGON_EDGES, &box, first, &runs))
             plan->fragment->fill(plan->fragment, planes, &runs);
 }
 

@@ -106,7 +106,6 @@ static void line_planes(const struct raster_plan *plan, struct planes *p, const 
     if (plan->flat)
         flat_planes(p, provoking + LANE_COLOR, plan->fragment->has_secondary);
     p->z_offset = 0.0f;
-    p->front = true;
     p->smoothing = SMOOTH_NONE;
     p->stipple = NULL;
 }
@@ -128,13 +127,15 @@ static void aliased_line(const struct raster_plan *plan, const float *v0, const 
     const bool forward = x_major ? dx < 0.0f : dy < 0.0f; /* towards larger coordinates */
     const double lo = forward ? start_major : end_major, lo_minor = forward ? start_minor : end_minor;
     const double hi = forward ? end_major : start_major, hi_minor = forward ? end_minor : start_minor;
-    const struct snapped x_corners[4] = {{hi, hi_minor - half_width}, {lo, lo_minor - half_width}, {lo, lo_minor + half_width}, {hi, hi_minor + half_width}};
-    const struct snapped y_corners[4] = {{lo_minor - half_width, lo}, {hi_minor - half_width, hi}, {hi_minor + half_width, hi}, {lo_minor + half_width, lo}};
+    const struct polygon along_x = {{hi, lo, lo, hi},
+                                    {hi_minor - half_width, lo_minor - half_width, lo_minor + half_width, hi_minor + half_width}};
+    const struct polygon along_y = {{lo_minor - half_width, hi_minor - half_width, hi_minor + half_width, lo_minor + half_width},
+                                    {lo, hi, hi, lo}};
 
     struct planes planes;
     const float stretched = 1.0f + slope * slope;
     line_planes(plan, &planes, v0, v1, provoking, x_major ? dx * stretched : 0.0f, x_major ? 0.0f : dy * stretched, 1.0f / length2);
-    plan->kernels->quad(plan, x_major ? x_corners : y_corners, &planes);
+    plan->kernels->quad(plan, x_major ? &along_x : &along_y, &planes);
 }
 
 /* A rectangle of two triangles, half a pixel longer at each end and wider at each side; coverage is made for each pixel by

@@ -13,7 +13,6 @@ static void point_planes(const struct raster_plan *plan, struct planes *p, const
     if (plan->flat)
         flat_planes(p, v + LANE_COLOR, plan->fragment->has_secondary);
     p->z_offset = 0.0f;
-    p->front = true;
     p->smoothing = SMOOTH_NONE;
     p->stipple = NULL;
 }

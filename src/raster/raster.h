@@ -8,9 +8,10 @@
 
 #include "fragment/fragment.h"
 
-/* A vertex in units of 1/256 pixel: integers. Pixel centres are multiples of 256. */
-struct snapped {
-    double x, y;
+/* Corners in units of 1/256 pixel, integers; pixel centres are multiples of 256. */
+enum { POLYGON_EDGES = 4 };
+struct polygon {
+    double x[POLYGON_EDGES], y[POLYGON_EDGES];
 };
 
 /* Triangles to cull: numbers of their vertices' records. A number a with the flag stands for a triangle that is yet to be clipped. */
@@ -33,8 +34,8 @@ struct raster_kernels {
     /* half of a smooth line or point; the vertices have LANE_SMOOTH */
     void (*smooth_triangle)(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2, const float *provoking,
                             enum smoothing smoothing);
-    /* a convex polygon, corners counter-clockwise as GL sees it */
-    void (*quad)(const struct raster_plan *plan, const struct snapped corner[4], const struct planes *planes);
+    /* a convex polygon of four corners, counter-clockwise as GL sees it */
+    void (*quad)(const struct raster_plan *plan, const struct polygon *corners, const struct planes *planes);
 };
 
 struct raster_plan {
