@@ -6,15 +6,9 @@
 /* Compatible mode is OSMesa's arithmetic, which on ordinary scenes is this near. Its bounds on the others
  * come with the recomputation in double of lanes that leave the range where float is safe; those of the other
  * modes come with the modes. Until then they are measured only. */
-/* clang-format off: a table */
-#define ORDINARY                                                                                             \
-    {                                                                                                        \
-        .compatible = 2.3e-5                                                                                 \
-    }
-#define MEASURED                                                                                             \
-    {                                                                                                        \
-        0                                                                                                    \
-    }
+/* clang-format off */
+#define ORDINARY {0, 2.3e-5, 0}
+#define MEASURED {0, 0, 0}
 
 const struct oracle_category oracle_categories[] = {
         {"1 light", generate_lights, 1, ORDINARY},
