@@ -1,0 +1,243 @@
+/* Attribute stacks (GL 1.5, 6.1.14 "Saving and Restoring State"): each group brings back exactly its own
+ * values. */
+#include "api/spec_state.h"
+
+static void set_colors_and_lights(void)
+{
+    const GLfloat v[4] = {0.25f, 0.5f, 0.75f, 0.5f};
+    glColor4fv(v);
+    glIndexf(5);
+    glNormal3f(1, 0, 0.5f);
+    glTexCoord4f(1, 2, 3, 4);
+    glEdgeFlag(GL_FALSE);
+    glShadeModel(GL_FLAT);
+    glLightModelfv(GL_LIGHT_MODEL_AMBIENT, v);
+    glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, 1);
+    glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);
+    glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR);
+    glColorMaterial(GL_BACK, GL_SPECULAR);
+    glFogfv(GL_FOG_COLOR, v);
+    glFogf(GL_FOG_INDEX, 3);
+    glFogf(GL_FOG_DENSITY, 0.5f);
+    glFogf(GL_FOG_START, 2);
+    glFogf(GL_FOG_END, 9);
+    glFogi(GL_FOG_MODE, GL_LINEAR);
+}
+
+static void set_rasterization(void)
+{
+    glPointSize(3);
+    glLineWidth(2);
+    glLineStipple(7, 0x1234);
+    glCullFace(GL_FRONT);
+    glFrontFace(GL_CW);
+    glPolygonMode(GL_FRONT, GL_LINE);
+    glPolygonMode(GL_BACK, GL_POINT);
+    glPolygonOffset(1.5f, 2);
+    const GLenum hints[] = {GL_PERSPECTIVE_CORRECTION_HINT, GL_POINT_SMOOTH_HINT, GL_LINE_SMOOTH_HINT,
+                            GL_POLYGON_SMOOTH_HINT,         GL_FOG_HINT,          GL_GENERATE_MIPMAP_HINT,
+                            GL_TEXTURE_COMPRESSION_HINT};
+    for (size_t i = 0; i < sizeof hints / sizeof *hints; i++)
+        glHint(hints[i], GL_NICEST);
+}
+
+static void set_fragments(void)
+{
+    glViewport(1, 2, 30, 40);
+    glDepthRange(0.25, 0.75);
+    glMatrixMode(GL_PROJECTION);
+    glScissor(3, 4, 5, 6);
+    glAlphaFunc(GL_GREATER, 0.5f);
+    glStencilFunc(GL_LESS, 17, 0x0f);
+    glStencilOp(GL_ZERO, GL_REPLACE, GL_INVERT);
+    glStencilMask(0x3c);
+    glDepthFunc(GL_GEQUAL);
+    glDepthMask(GL_FALSE);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glLogicOp(GL_XOR);
+    glDrawBuffer(GL_NONE);
+    glReadBuffer(GL_FRONT_LEFT);
+    glIndexMask(0x55);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glClearColor(0.25f, 0.5f, 0.75f, 1);
+    glClearIndex(3);
+    glClearDepth(0.5);
+    glClearStencil(9);
+    glListBase(100);
+}
+
+/* Every value of a group gets another than its initial value. */
+static void change_everything(void)
+{
+    set_colors_and_lights();
+    set_rasterization();
+    set_fragments();
+    for (int i = 0; i < SPEC_VALUES; i++) {
+        if (!(spec_state[i].groups & GL_ENABLE_BIT))
+            continue;
+        if (spec_state[i].initial[0] != 0)
+            glDisable(spec_state[i].name);
+        else
+            glEnable(spec_state[i].name);
+    }
+    assert_int_equal(glGetError(), GL_NO_ERROR);
+}
+
+static struct state_snapshot initial, changed, restored;
+
+static void everything_is_changed(void **state)
+{
+    (void)state;
+    take_snapshot(&initial);
+    change_everything();
+    take_snapshot(&changed);
+    for (int i = 0; i < SPEC_VALUES; i++) {
+        if (spec_state[i].groups && same_value(&initial, &changed, i)) {
+            print_error("%s did not change\n", spec_state[i].text);
+            fail();
+        }
+    }
+}
+
+static void try_group(GLbitfield mask)
+{
+    glPushAttrib(GL_ALL_ATTRIB_BITS);
+    take_snapshot(&initial);
+    glPushAttrib(mask);
+    change_everything();
+    take_snapshot(&changed);
+    glPopAttrib();
+    take_snapshot(&restored);
+    for (int i = 0; i < SPEC_VALUES; i++) {
+        if (spec_state[i].name == GL_ATTRIB_STACK_DEPTH)
+            continue;
+        const bool saved = spec_state[i].groups & mask;
+        if (same_value(&restored, saved ? &initial : &changed, i))
+            continue;
+        print_error("glPushAttrib(0x%x): %s is %s\n", mask, spec_state[i].text,
+                    saved ? "not restored" : "restored too");
+        fail();
+    }
+    glPopAttrib();
+    assert_int_equal(glGetError(), GL_NO_ERROR);
+}
+
+static void each_group(void **state)
+{
+    (void)state;
+    for (int bit = 0; bit < 20; bit++)
+        try_group(1u << bit);
+    try_group(0);
+    try_group(GL_ALL_ATTRIB_BITS);
+    try_group(GL_ENABLE_BIT | GL_FOG_BIT);
+}
+
+/* What the tables of glGet do not show. */
+static void lights_materials_planes_stipple(void **state)
+{
+    (void)state;
+    const GLfloat v[4] = {0.25f, 0.5f, 0.75f, 1};
+    const GLdouble plane[4] = {1, 2, 3, 4};
+    GLubyte stipple[128] = {0x12, 0x34};
+    glPushAttrib(GL_LIGHTING_BIT | GL_TRANSFORM_BIT | GL_POLYGON_STIPPLE_BIT);
+    glLightfv(GL_LIGHT7, GL_POSITION, v);
+    glLightf(GL_LIGHT7, GL_SPOT_CUTOFF, 45);
+    glMaterialfv(GL_BACK, GL_EMISSION, v);
+    glMaterialf(GL_FRONT, GL_SHININESS, 64);
+    glClipPlane(GL_CLIP_PLANE0 + 7, plane);
+    glPolygonStipple(stipple);
+    EXPECT_MATERIAL(GL_BACK, GL_EMISSION, 0.25f, 0.5f, 0.75f, 1);
+    glPopAttrib();
+    EXPECT_LIGHT(7, GL_POSITION, 0, 0, 1, 0);
+    EXPECT_LIGHT(7, GL_SPOT_CUTOFF, 180);
+    EXPECT_MATERIAL(GL_BACK, GL_EMISSION, 0, 0, 0, 1);
+    EXPECT_MATERIAL(GL_FRONT, GL_SHININESS, 0);
+    GLdouble got[4];
+    glGetClipPlane(GL_CLIP_PLANE0 + 7, got);
+    assert_true(got[0] == 0 && got[3] == 0);
+    glGetPolygonStipple(stipple);
+    assert_int_equal(stipple[0], 0xff);
+    assert_int_equal(glGetError(), GL_NO_ERROR);
+}
+
+static void matrices_are_not_attributes(void **state)
+{
+    (void)state;
+    glPushAttrib(GL_ALL_ATTRIB_BITS);
+    glTranslatef(1, 2, 3);
+    glPopAttrib();
+    EXPECT_VALUES(GL_MODELVIEW_MATRIX, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 2, 3, 1);
+}
+
+static void nested(void **state)
+{
+    (void)state;
+    for (int i = 1; i <= 16; i++) {
+        glPointSize((GLfloat)i);
+        glPushAttrib(i % 2 ? GL_POINT_BIT : GL_LINE_BIT);
+        EXPECT_INTS(GL_ATTRIB_STACK_DEPTH, i);
+    }
+    EXPECT_ERROR(GL_STACK_OVERFLOW, glPushAttrib(GL_POINT_BIT));
+    glPointSize(99);
+    for (int i = 16; i >= 1; i--) {
+        glPopAttrib();
+        EXPECT_VALUES(GL_POINT_SIZE, i == 16 ? 99.0f : (GLfloat)(i % 2 ? i : i + 1));
+    }
+    EXPECT_ERROR(GL_STACK_UNDERFLOW, glPopAttrib());
+    EXPECT_INTS(GL_ATTRIB_STACK_DEPTH, 0);
+}
+
+static const GLenum pixel_store[] = {GL_PACK_ROW_LENGTH, GL_UNPACK_SKIP_PIXELS, GL_PACK_SWAP_BYTES,
+                                     GL_UNPACK_LSB_FIRST};
+
+static void client_groups(void **state)
+{
+    (void)state;
+    for (GLbitfield mask = 0; mask < 4; mask++) {
+        const GLint arrays = mask & GL_CLIENT_VERTEX_ARRAY_BIT ? 0 : 1,
+                    store = mask & GL_CLIENT_PIXEL_STORE_BIT ? 0 : 1;
+        glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
+        glPushClientAttrib(mask);
+        EXPECT_INTS(GL_CLIENT_ATTRIB_STACK_DEPTH, 2);
+        for (int i = 0; i < 4; i++)
+            glPixelStorei(pixel_store[i], 1);
+        glEnableClientState(GL_COLOR_ARRAY);
+        glColorPointer(3, GL_UNSIGNED_BYTE, 12, pixel_store);
+        glPopClientAttrib();
+        for (int i = 0; i < 4; i++)
+            EXPECT_INTS(pixel_store[i], store);
+        void *pointer = NULL;
+        glGetPointerv(GL_COLOR_ARRAY_POINTER, &pointer);
+        assert_ptr_equal(pointer, arrays ? (const void *)pixel_store : NULL);
+        EXPECT_INTS(GL_COLOR_ARRAY, arrays);
+        EXPECT_INTS(GL_COLOR_ARRAY_SIZE, arrays ? 3 : 4);
+        EXPECT_INTS(GL_COLOR_ARRAY_STRIDE, arrays ? 12 : 0);
+        glPopClientAttrib();
+    }
+    assert_int_equal(glGetError(), GL_NO_ERROR);
+}
+
+static void client_stack_limits(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 16; i++)
+        EXPECT_NO_ERROR(glPushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT));
+    EXPECT_ERROR(GL_STACK_OVERFLOW, glPushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT));
+    for (int i = 0; i < 16; i++)
+        EXPECT_NO_ERROR(glPopClientAttrib());
+    EXPECT_ERROR(GL_STACK_UNDERFLOW, glPopClientAttrib());
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+            GL_TEST(everything_is_changed),
+            GL_TEST(each_group),
+            GL_TEST(lights_materials_planes_stipple),
+            GL_TEST(nested),
+            GL_TEST(client_groups),
+            GL_TEST(matrices_are_not_attributes),
+            GL_TEST(client_stack_limits),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

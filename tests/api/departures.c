@@ -1,0 +1,85 @@
+/* Where the state that FixedGL keeps is the specification's and OSMesa's is not (docs/departures.md). On
+ * OSMesa this test shows that it still differs. */
+#include "api/gl_test.h"
+
+static void draw_something(void)
+{
+    glBegin(GL_POINTS);
+    glVertex2i(0, 0);
+    glEnd();
+    glFinish();
+}
+
+/* GL 1.5, 6.1.14: what glPushAttrib saved comes back. OSMesa does not notice a colour that was set outside
+ * glBegin and glEnd and that nothing has drawn or asked for since, and leaves it. */
+static void pop_restores_an_unused_color(void **state)
+{
+    (void)state;
+    glColor3f(1, 0, 0);
+    draw_something();
+    glPushAttrib(GL_CURRENT_BIT);
+    glColor3f(0, 1, 0);
+    glPopAttrib();
+    draw_something();
+    if (on_fixedgl())
+        EXPECT_VALUES(GL_CURRENT_COLOR, 1, 0, 0, 1);
+    else
+        EXPECT_VALUES(GL_CURRENT_COLOR, 0, 1, 0, 1);
+}
+
+static void pop_restores_an_unused_material(void **state)
+{
+    (void)state;
+    const GLfloat grey[4] = {0.5f, 0.5f, 0.5f, 1};
+    draw_something();
+    glPushAttrib(GL_LIGHTING_BIT);
+    glMaterialfv(GL_FRONT, GL_EMISSION, grey);
+    glPopAttrib();
+    draw_something();
+    if (on_fixedgl())
+        EXPECT_MATERIAL(GL_FRONT, GL_EMISSION, 0, 0, 0, 1);
+    else
+        EXPECT_MATERIAL(GL_FRONT, GL_EMISSION, 0.5f, 0.5f, 0.5f, 1);
+}
+
+/* Each level of the stack is its own. OSMesa forgets, at the inner glPopAttrib, what had changed since the
+ * outer push. */
+static void pop_restores_what_changed_inside_an_inner_push(void **state)
+{
+    (void)state;
+    glPushAttrib(GL_ENABLE_BIT);
+    glPushAttrib(GL_CURRENT_BIT);
+    glEnable(GL_LIGHTING);
+    glPopAttrib();
+    glPopAttrib();
+    assert_int_equal(glIsEnabled(GL_LIGHTING), on_fixedgl() ? GL_FALSE : GL_TRUE);
+}
+
+/* GL 1.5, 2.14.3: tracked material parameters have the current colour, wherever it comes from. */
+static void tracked_materials_follow_a_restored_color(void **state)
+{
+    (void)state;
+    glEnable(GL_COLOR_MATERIAL);
+    glColor3f(1, 0, 0);
+    draw_something();
+    glPushAttrib(GL_CURRENT_BIT);
+    glColor3f(0, 1, 0);
+    draw_something();
+    glPopAttrib();
+    EXPECT_VALUES(GL_CURRENT_COLOR, 1, 0, 0, 1);
+    if (on_fixedgl())
+        EXPECT_MATERIAL(GL_FRONT, GL_DIFFUSE, 1, 0, 0, 1);
+    else
+        EXPECT_MATERIAL(GL_FRONT, GL_DIFFUSE, 0, 1, 0, 1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+            GL_TEST(pop_restores_an_unused_color),
+            GL_TEST(pop_restores_an_unused_material),
+            GL_TEST(pop_restores_what_changed_inside_an_inner_push),
+            GL_TEST(tracked_materials_follow_a_restored_color),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
