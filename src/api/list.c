@@ -262,8 +262,8 @@ static void execute_node(struct context *ctx, struct node *node)
     }
 }
 
-/* Runs `call` with recording off: what a called list contains is not recorded again. */
-static void execute_lists(struct context *ctx, const struct call_lists *l, GLuint base)
+/* Executes lists with recording off: what a called list contains is not recorded again. */
+static void execute_lists(struct context *ctx, GLsizei n, const int32_t *offset, GLuint base)
 {
     const GLenum compiling = ctx->compiling;
     struct immediate *vertices = ctx->vertices;
@@ -271,8 +271,8 @@ static void execute_lists(struct context *ctx, const struct call_lists *l, GLuin
     ctx->vertices = ctx->immediate;
     if (ctx->begin_mode == OUTSIDE_BEGIN_END)
         fgl_flush_current(ctx);
-    for (GLsizei i = 0; i < l->n; i++)
-        execute_list(ctx, base + (GLuint)l->offset[i]);
+    for (GLsizei i = 0; i < n; i++)
+        execute_list(ctx, base + (GLuint)offset[i]);
     ctx->compiling = compiling;
     ctx->vertices = vertices;
 }
@@ -300,11 +300,8 @@ void GLAPIENTRY glCallList(GLuint list)
         if (ctx->compiling == GL_COMPILE)
             return;
     }
-    struct {
-        struct call_lists head;
-        int32_t offset;
-    } one = {{1}, (int32_t)list};
-    execute_lists(ctx, (struct call_lists *)(void *)&one, 0);
+    const int32_t offset = (int32_t)list;
+    execute_lists(ctx, 1, &offset, 0);
 }
 
 /* Bytes of one list number of the given type (GL 1.5, 5.4), 0 if the type is not accepted. */
@@ -352,7 +349,7 @@ void GLAPIENTRY glCallLists(GLsizei n, GLenum type, const GLvoid *lists)
     for (GLsizei i = 0; i < n; i++)
         l->offset[i] = read_name(type, lists, i);
     if (ctx->compiling != GL_COMPILE)
-        execute_lists(ctx, l, ctx->s.list.list_base);
+        execute_lists(ctx, n, l->offset, ctx->s.list.list_base);
     if (!record)
         free(l);
 }

@@ -2,8 +2,8 @@
 # Installs the Debian packages that building, comparing and testing need and that are missing. Quiet when there is nothing to do.
 # Where there is no apt-get, or no right to use it, prints the command instead.
 set -eu
-packages="gcc make clang libc6-dev libpng-dev libglu1-mesa-dev libglfw3 libosmesa6 libcmocka-dev
-          xvfb x11-apps imagemagick libgl1-mesa-dri libclang-rt-14-dev"
+packages="gcc make clang libc6-dev libpng-dev libglu1-mesa-dev libglfw3-dev libosmesa6 libcmocka-dev
+          xvfb imagemagick libgl1-mesa-dri libclang-rt-14-dev"
 missing=""
 if command -v dpkg-query >/dev/null 2>&1; then
     for p in $packages; do
