@@ -157,7 +157,9 @@ void fgl_immediate_flush(struct context *ctx, struct immediate *im)
     im->copied_count = 0;
     if (open) {
         open->count = im->count - open->first;
-        next = (struct immediate_prim){open->mode, 0, 0, open->begin && im->count == open->first, false};
+        /* A loop of one vertex, which is copied once, has not begun to be drawn. */
+        const bool whole = open->count == 0 || (open->count == 1 && open->mode == GL_LINE_LOOP && !im->compiling);
+        next = (struct immediate_prim){open->mode, 0, 0, open->begin && whole, false};
         if (!im->compiling) /* a list's primitive in several nodes is replayed vertex by vertex */
             im->copied_count = copy_open_vertices(im, open);
     }
