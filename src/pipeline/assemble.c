@@ -163,6 +163,7 @@ static void quads(const struct assembly *as, int n, bool compiled)
 {
     const struct pipeline *p = as->p;
     const bool simple = p->plan.polygon_fill && !p->plan.raster.flat && !as->elements && !compiled;
+    n -= n % 4; /* the vertices of an incomplete quad do not count */
     for (int start = 0; start + 3 < n; start += FGL_BATCH_SIZE) {
         const int end = fgl_min(n, start + FGL_BATCH_SIZE);
         uint32_t outside = 0;
