@@ -47,14 +47,14 @@ EXAMPLES = $(patsubst examples/%.c,$(BUILD)/examples/%,$(wildcard examples/*.c))
 FIXEDGL = $(BUILD)/bin/fixedgl
 RPATH = -Wl,-rpath,'$$ORIGIN/../lib'
 
-.PHONY: all libs help deps diff test check asan bench goldens vec-report identity install clean format \
+.PHONY: all libs help deps diff test check asan bench goldens vec-report identity fuzz-diff install clean format \
         test-programs diff-run
 
 all: $(LIBS) $(FIXEDGL) $(EXAMPLES)
 libs: $(LIBS)
 
 help:
-	@sed -n '3,4p' Makefile; echo '#   make asan | bench | goldens | vec-report | identity | install | clean | format'
+	@sed -n '3,4p' Makefile; echo '#   make asan | bench | goldens | vec-report | identity | fuzz-diff | install | clean | format'
 
 $(BUILD)/src/%.o: src/%.c
 	@mkdir -p $(@D)
@@ -97,10 +97,14 @@ $(BUILD)/examples/%: examples/%.c $(LIB)/libfixedglut.so $(LIB)/libfixedgl.so
 # tests/unit: against internals, linked with the static library. tests/api, glut, cli: through public headers.
 
 UNIT_TESTS = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/unit/*.c))
-API_TESTS = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/api/*.c tests/oracle/*.c tests/osmesa/*.c))
+API_TESTS = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/api/*.c))
+ORACLE_TESTS = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/oracle/test_*.c))
+ORACLE_SOURCES = $(filter-out tests/oracle/test_%,$(wildcard tests/oracle/*.c))
+SCENE_TESTS = $(if $(wildcard tests/scenes/*.c),$(BUILD)/tests/scenes/scenes)
+FUZZ = $(BUILD)/tests/fuzz/fuzz_diff
 GLUT_TESTS = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/glut/*.c))
 CLI_TESTS = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/cli/*.c))
-TEST_PROGRAMS = $(UNIT_TESTS) $(API_TESTS) $(GLUT_TESTS) $(CLI_TESTS)
+TEST_PROGRAMS = $(UNIT_TESTS) $(API_TESTS) $(ORACLE_TESTS) $(SCENE_TESTS) $(GLUT_TESTS) $(CLI_TESTS)
 TEST_CFLAGS = -std=c11 -g -O2 $(NUMERIC) $(WARN) $(SANITIZE) $(POSIX) -MMD -MP -Iinclude -Isrc -Itests
 
 $(UNIT_TESTS): $(BUILD)/tests/%: tests/%.c $(LIB)/libfixedgl.a
@@ -109,6 +113,15 @@ $(UNIT_TESTS): $(BUILD)/tests/%: tests/%.c $(LIB)/libfixedgl.a
 $(API_TESTS): $(BUILD)/tests/%: tests/%.c $(LIB)/libfixedgl.so
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(TEST_CFLAGS) $< -L$(LIB) -lfixedgl -Wl,-rpath,'$$ORIGIN/../../lib' -lcmocka -ldl -lm -lpthread -o $@
+$(ORACLE_TESTS): $(BUILD)/tests/%: tests/%.c $(ORACLE_SOURCES) $(wildcard tests/oracle/*.h) $(LIB)/libfixedgl.so
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(TEST_CFLAGS) $< $(ORACLE_SOURCES) -L$(LIB) -lfixedgl -Wl,-rpath,'$$ORIGIN/../../lib' -lcmocka -ldl -lm -o $@
+$(SCENE_TESTS): $(wildcard tests/scenes/*.c tests/scenes/*.h) $(LIB)/libfixedgl.so
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(TEST_CFLAGS) $(wildcard tests/scenes/*.c) -L$(LIB) -lfixedgl -Wl,-rpath,'$$ORIGIN/../../lib' -lcmocka -lpng -ldl -lm -o $@
+$(FUZZ): $(wildcard tests/fuzz/*.c tests/fuzz/*.h tests/fuzz/*.def)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(TEST_CFLAGS) $(wildcard tests/fuzz/*.c) -ldl -lm -o $@
 $(GLUT_TESTS): $(BUILD)/tests/%: tests/%.c $(LIB)/libfixedglut.a $(LIB)/libfixedgl.so
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(TEST_CFLAGS) $< $(LIB)/libfixedglut.a -L$(LIB) -lfixedgl -Wl,-rpath,'$$ORIGIN/../../lib' -lcmocka -lpng -ldl -lm -o $@
@@ -116,7 +129,7 @@ $(CLI_TESTS): $(BUILD)/tests/%: tests/%.c $(filter-out %/main.o,$(CLI_OBJECTS))
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(TEST_CFLAGS) $< $(filter-out %/main.o,$(CLI_OBJECTS)) -lcmocka -lpng -ldl -lm -pthread -o $@
 
-test-programs: all $(TEST_PROGRAMS)
+test-programs: all $(TEST_PROGRAMS) $(FUZZ)
 
 # One compiler's whole run.
 check: test-programs
@@ -151,6 +164,10 @@ bench: deps
 
 vec-report:
 	tests/tools/vec_report.sh
+
+fuzz-diff: deps
+	$(MAKE) -j$(JOBS) libs $(FUZZ)
+	$(FUZZ)
 
 identity: deps
 	tests/identity.sh

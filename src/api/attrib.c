@@ -86,21 +86,26 @@ static void restore_enables(struct context *ctx, const struct server_state *save
     }
 }
 
-/* OSMesa rule: stored vertices are drawn, whatever is restored. */
+/* OSMesa rule: stored vertices are drawn, whatever is restored.
+ * DEPARTURE: colours and materials set since the push are restored also where OSMesa has not noticed that they were set
+ * (nothing was drawn or asked since), and tracked materials follow the colour that comes back. tests/api/departures.c */
 void fgl_exec_PopAttrib(struct context *ctx)
 {
     RETURN_ERROR_IF(ctx, ctx->attrib_depth == 0, GL_STACK_UNDERFLOW);
     const struct attrib_entry *e = &ctx->attrib_stack[--ctx->attrib_depth];
 
+    const bool attributes = e->mask & (GL_CURRENT_BIT | GL_LIGHTING_BIT);
     fgl_flush_vertices(ctx, 0);
-    fgl_flush_current(ctx);
+    if (attributes)
+        fgl_flush_all(ctx);
     for (size_t i = 0; i < FGL_COUNTOF(groups); i++) {
         if (e->mask & groups[i].bit)
             restore_group(ctx, &groups[i], &e->state);
     }
     if (e->mask & GL_ENABLE_BIT)
         restore_enables(ctx, &e->state);
-    fgl_material_track_color(ctx);
+    if (attributes)
+        fgl_material_track_color(ctx);
 }
 
 void fgl_exec_PushClientAttrib(struct context *ctx, GLbitfield mask)

@@ -108,7 +108,7 @@ void GLAPIENTRY glDrawArrays(GLenum mode, GLint first, GLsizei count)
         compile_elements(ctx, mode, first, count, 0, NULL);
         return;
     }
-    fgl_flush_current(ctx);
+    fgl_flush_all(ctx);
     struct vertex_source source;
     array_source(ctx, &source);
     const struct draw_prim prim = {mode, first, count};
@@ -175,7 +175,7 @@ void GLAPIENTRY glDrawElements(GLenum mode, GLsizei count, GLenum type, const GL
         compile_elements(ctx, mode, 0, count, type, indices);
         return;
     }
-    fgl_flush_current(ctx);
+    fgl_flush_all(ctx);
     struct vertex_source source;
     array_source(ctx, &source);
     uint32_t min, max;

@@ -14,7 +14,7 @@ void fgl_enable_set(struct context *ctx, const struct state_row *row, bool on)
         fgl_state_put_flag(row, ctx, on);
         return;
     }
-    /* OSMesa rule: a glMaterial that still waits (no draw came since) becomes the material after this, and wins over the colour. */
+    fgl_flush_current(ctx);
     ctx->s.lighting.color_material = on;
     fgl_material_track_color(ctx);
 }

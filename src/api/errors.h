@@ -32,7 +32,11 @@ static inline void fgl_error(struct context *ctx, GLenum error)
  * OSMesa's batches end in the same places, and some pixels depend on where they end. (api/immediate.c) */
 void fgl_flush_vertices(struct context *ctx, unsigned dirty);
 
-/* Makes attributes that immediate mode still holds the current values; for queries of current values. (api/immediate.c) */
+/* The same in any case: before what is drawn otherwise than by immediate mode. (api/immediate.c) */
+void fgl_flush_all(struct context *ctx);
+
+/* Makes attributes that immediate mode still holds the current values, and draws nothing; for queries of current values.
+ * (api/immediate.c) */
 void fgl_flush_current(struct context *ctx);
 
 #endif

@@ -262,6 +262,14 @@ static bool reformat_store(struct context *ctx, struct immediate *im, const stru
     return true;
 }
 
+/* Makes the attributes current values and forgets which they were. */
+static void empty_format(struct context *ctx, struct immediate *im)
+{
+    fgl_format_to_current(ctx, &im->format, im->vertex);
+    fgl_immediate_reset_format(im);
+    im->pending = im->stored = false;
+}
+
 /* Gives `attr` room for `size` floats in the format. */
 static FGL_NOINLINE void upgrade(struct context *ctx, struct immediate *im, enum fgl_attr attr, int size)
 {
@@ -281,6 +289,7 @@ static FGL_NOINLINE void upgrade(struct context *ctx, struct immediate *im, enum
     memcpy(old, im->vertex, sizeof old);
     im->format.active |= 1u << attr;
     im->format.size[attr] = (uint8_t)size;
+    im->stored = im->stored || attr == ATTR_POSITION; /* the first vertex since the format was empty */
     lay_out(&im->format);
     convert_vertices(&from, old, &im->format, im->vertex, 1);
     im->max_count = im->capacity / im->format.floats - 1; /* one spare: the vertex that closes a loop */
@@ -300,6 +309,7 @@ void fgl_attr_set(struct context *ctx, enum fgl_attr attr, int size, const float
     struct immediate *im = ctx->vertices->mode == OUTSIDE_BEGIN_END ? ctx->immediate : ctx->vertices;
     if (FGL_UNLIKELY(im->format.size[attr] < size))
         upgrade(ctx, im, attr, size);
+    im->pending = true;
     float *to = im->vertex + im->format.offset[attr];
     for (int i = 0; i < im->format.size[attr]; i++)
         to[i] = i < size ? v[i] : attr_default[i];
@@ -334,14 +344,13 @@ void fgl_begin(struct context *ctx, GLenum mode)
     struct immediate *im = ctx->vertices;
     if (im->mode == CONTINUED_PRIMITIVE) /* a Begin inside the caller's primitive: an error when executed */
         fgl_end(ctx);
-    if (im->format.floats && !im->format.size[ATTR_POSITION] && !im->compiling) {
-        fgl_format_to_current(ctx, &im->format, im->vertex);
-        fgl_immediate_reset_format(im);
-    }
+    if (im->format.floats && !im->format.size[ATTR_POSITION] && !im->compiling)
+        empty_format(ctx, im);
     if (im->prim_count == IMMEDIATE_MAX_PRIMS)
         fgl_immediate_flush(ctx, im);
     im->prim[im->prim_count++] = (struct immediate_prim){mode, im->count, 0, mode != CONTINUED_PRIMITIVE, false};
     im->mode = mode;
+    im->pending = true; /* attributes between Begin and End are set without a word (vertex_commands.c) */
     if (!im->compiling)
         ctx->begin_mode = mode;
 }
@@ -393,20 +402,30 @@ void GLAPIENTRY glEnd(void)
 
 /* ---- what setters and queries call ---- */
 
+/* OSMesa rule: what a query makes current values stays in the vertex format, too. */
 void fgl_flush_current(struct context *ctx)
 {
     struct immediate *im = ctx->immediate;
-    if (ctx->begin_mode != OUTSIDE_BEGIN_END || !im->format.floats)
+    if (ctx->begin_mode != OUTSIDE_BEGIN_END || !im->pending)
+        return;
+    fgl_format_to_current(ctx, &im->format, im->vertex);
+    im->pending = false;
+    im->stored = true;
+}
+
+void fgl_flush_all(struct context *ctx)
+{
+    struct immediate *im = ctx->immediate;
+    if (ctx->begin_mode != OUTSIDE_BEGIN_END)
         return;
     if (im->count)
         fgl_immediate_flush(ctx, im);
-    fgl_format_to_current(ctx, &im->format, im->vertex);
-    fgl_immediate_reset_format(im);
+    empty_format(ctx, im);
 }
 
 void fgl_flush_vertices(struct context *ctx, unsigned dirty)
 {
-    if (ctx->immediate->count)
-        fgl_flush_current(ctx);
+    if (ctx->immediate->stored)
+        fgl_flush_all(ctx);
     ctx->dirty |= dirty;
 }

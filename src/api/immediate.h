@@ -40,6 +40,8 @@ enum {
 struct immediate {
     float *store;
     float *next; /* where the next vertex goes */
+    bool pending; /* attributes were set that are not yet current values */
+    bool stored;  /* a state change has something to flush: vertices came, or queries made attributes current values */
     int count, max_count, capacity; /* vertices, vertices; floats */
     struct vertex_format format;
     float vertex[VERTEX_MAX_FLOATS]; /* the attributes of the next vertex, in the format */

@@ -1,6 +1,8 @@
 /* Display lists: their storage, NewList to CallLists. What a node holds is known to entry.c, list_vertices.c and list_replay.c. */
 #include "api/errors.h"
 #include "api/list.h"
+#include "api/pixel_image.h"
+#include "api/pixel_store.h"
 #include "base/idmap.h"
 
 #include <stdatomic.h>
@@ -174,7 +176,7 @@ void GLAPIENTRY glNewList(GLuint list, GLenum mode)
     RETURN_ERROR_IF(ctx, list == 0, GL_INVALID_VALUE);
     RETURN_ERROR_IF(ctx, mode != GL_COMPILE && mode != GL_COMPILE_AND_EXECUTE, GL_INVALID_ENUM);
     RETURN_ERROR_IF(ctx, ctx->compiling, GL_INVALID_OPERATION);
-    fgl_flush_current(ctx);
+    fgl_flush_all(ctx);
     if (!begin_list(ctx, list))
         return;
     ctx->compiling = mode;
@@ -257,6 +259,9 @@ static void execute_node(struct context *ctx, struct node *node)
             execute_list(ctx, ctx->s.list.list_base + (GLuint)l->offset[i]);
         break;
     }
+    case OP_BITMAP: fgl_list_replay_bitmap(ctx, payload); break;
+    case OP_DRAW_PIXELS: fgl_list_replay_draw_pixels(ctx, payload); break;
+    case OP_POLYGON_STIPPLE: fgl_polygon_stipple_set(ctx, payload); break;
     case OP_ERROR: fgl_error(ctx, *(GLenum *)payload); break;
     default: fgl_list_replay_command(ctx, (enum fgl_opcode)node->op, payload); break;
     }
@@ -358,6 +363,7 @@ void GLAPIENTRY glCallLists(GLsizei n, GLenum type, const GLvoid *lists)
 
 GLuint fgl_exec_GenLists(struct context *ctx, GLsizei range)
 {
+    fgl_flush_vertices(ctx, 0);
     RETURN_VALUE_ERROR_IF(ctx, range < 0, GL_INVALID_VALUE, 0);
     const GLuint first = range ? fgl_idmap_find_free(&ctx->lists->map, (uint32_t)range) : 0;
     for (GLuint i = 0; first && i < (GLuint)range; i++) { /* empty lists, so that the names are taken */
@@ -374,11 +380,13 @@ GLuint fgl_exec_GenLists(struct context *ctx, GLsizei range)
 
 GLboolean fgl_exec_IsList(struct context *ctx, GLuint list)
 {
+    fgl_flush_vertices(ctx, 0);
     return fgl_idmap_get(&ctx->lists->map, list) ? GL_TRUE : GL_FALSE;
 }
 
 void fgl_exec_DeleteLists(struct context *ctx, GLuint list, GLsizei range)
 {
+    fgl_flush_vertices(ctx, 0);
     RETURN_ERROR_IF(ctx, range < 0, GL_INVALID_VALUE);
     const GLuint last = ctx->lists->map.highest; /* an enormous range ends where names end */
     for (GLuint i = 0; i < (GLuint)range && list + i >= list && list + i <= last; i++) {
@@ -388,4 +396,8 @@ void fgl_exec_DeleteLists(struct context *ctx, GLuint list, GLsizei range)
     }
 }
 
-void fgl_exec_ListBase(struct context *ctx, GLuint base) { ctx->s.list.list_base = base; }
+void fgl_exec_ListBase(struct context *ctx, GLuint base)
+{
+    fgl_flush_vertices(ctx, 0);
+    ctx->s.list.list_base = base;
+}

@@ -83,7 +83,7 @@ void fgl_list_replay_vertices(struct context *ctx, void *payload)
         replay_by_vertex(ctx, c);
         return;
     }
-    fgl_flush_current(ctx);
+    fgl_flush_all(ctx);
     fill_unset(ctx, c);
     struct draw_prim prims[IMMEDIATE_MAX_PRIMS];
     for (int i = 0; i < c->prim_count; i++)
