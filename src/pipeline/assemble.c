@@ -137,11 +137,30 @@ static void polygon(const struct assembly *as, int n)
         triangle(as, i - 1, i, 0, edge(as, i - 1, 0) | (i == n - 1 ? edge(as, i, 1) : 0) | (i == 2 ? edge(as, 0, 2) : 0));
 }
 
+/* Whether a vertex from start to end lies outside the volume. */
+static bool any_outside(const struct assembly *as, int start, int end)
+{
+    uint32_t outside = 0;
+    for (int i = start; i < end; i++)
+        outside |= as->p->cache.outcode[number(as, i)];
+    return outside != 0;
+}
+
+/* OSMesa rule: which half of a quad comes first, which shows where the halves overlap, depends on whether a vertex of the segment has to be
+ * clipped. */
 static void quad_strip(const struct assembly *as, int n)
 {
-    for (int i = 0; i + 3 < n; i += 2) {
-        triangle(as, i, i + 1, i + 3, 1 | 2);
-        triangle(as, i + 2, i, i + 3, 1 | 4);
+    n -= n % 2;
+    for (int start = 0; start + 3 < n; start += FGL_BATCH_SIZE - 2) {
+        const int end = fgl_min(n, start + FGL_BATCH_SIZE);
+        const bool simple = as->p->plan.polygon_fill && !any_outside(as, start, end);
+        for (int i = start; i + 3 < end; i += 2) {
+            if (simple)
+                triangle(as, i, i + 1, i + 3, 0);
+            triangle(as, i + 2, i, i + 3, 1 | 4);
+            if (!simple)
+                triangle(as, i, i + 1, i + 3, 1 | 2);
+        }
     }
 }
 
@@ -166,11 +185,9 @@ static void quads(const struct assembly *as, int n, bool compiled)
     n -= n % 4; /* the vertices of an incomplete quad do not count */
     for (int start = 0; start + 3 < n; start += FGL_BATCH_SIZE) {
         const int end = fgl_min(n, start + FGL_BATCH_SIZE);
-        uint32_t outside = 0;
-        for (int i = start; simple && i < end; i++)
-            outside |= p->cache.outcode[number(as, i)];
+        const bool first = simple && !any_outside(as, start, end);
         for (int i = start; i + 3 < end; i += 4) {
-            if (simple && !outside)
+            if (first)
                 quad_by_first_diagonal(as, i);
             else
                 quad_by_second_diagonal(as, i);
