@@ -25,7 +25,7 @@ void fgl_exec_Clear(struct context *ctx, GLbitfield mask)
     RETURN_ERROR_IF(ctx, mask & ~all, GL_INVALID_VALUE);
     fgl_flush_vertices(ctx, 0);
     struct framebuffer *fb = ctx->framebuffer;
-    if (!fb)
+    if (!fb || ctx->render_mode != GL_RENDER)
         return;
     fb->drawn = true;
     const struct rect r = scissored(ctx);

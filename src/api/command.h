@@ -30,6 +30,8 @@ enum fgl_opcode {
     OP_CALL_LISTS,
     OP_POLYGON_STIPPLE,
     OP_RECT,
+    OP_MAP,  /* glMap */
+    OP_EVAL, /* glEvalCoord, glEvalPoint */
     OP_ERROR, /* an error that the command would raise when executed */
 #define CMD_LIST(name, ...) OP_##name,
 #define CMD_LISTV(name, type, count, ...) OP_##name,

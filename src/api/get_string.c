@@ -43,7 +43,9 @@ void fgl_exec_GetPointerv(struct context *ctx, GLenum pname, GLvoid **params)
             return;
         }
     }
-    const bool none_yet = pname == GL_FEEDBACK_BUFFER_POINTER || pname == GL_SELECTION_BUFFER_POINTER;
-    RETURN_ERROR_IF(ctx, !none_yet, GL_INVALID_ENUM);
-    *params = NULL;
+    switch (pname) {
+    case GL_FEEDBACK_BUFFER_POINTER: *params = ctx->feedback.buffer; break;
+    case GL_SELECTION_BUFFER_POINTER: *params = ctx->selection.buffer; break;
+    default: fgl_error(ctx, GL_INVALID_ENUM); break;
+    }
 }

@@ -150,6 +150,15 @@ static void draw_store(struct context *ctx, struct immediate *im)
     fgl_draw(ctx, &source, prims, n, NULL, 0, (uint32_t)im->count - 1);
 }
 
+/* Whether the store has anything to draw or, for a list, to tell: a Begin or an End counts there, as other commands may stand between. */
+static bool is_worth_flushing(const struct immediate *im)
+{
+    for (int i = 0; im->compiling && i < im->prim_count; i++)
+        if (im->prim[i].begin || im->prim[i].end)
+            return true;
+    return im->count > 0;
+}
+
 void fgl_immediate_flush(struct context *ctx, struct immediate *im)
 {
     struct immediate_prim *open = im->mode != OUTSIDE_BEGIN_END && im->prim_count ? &im->prim[im->prim_count - 1] : NULL;
@@ -158,12 +167,12 @@ void fgl_immediate_flush(struct context *ctx, struct immediate *im)
     if (open) {
         open->count = im->count - open->first;
         /* A loop of one vertex, which is copied once, has not begun to be drawn. */
-        const bool whole = open->count == 0 || (open->count == 1 && open->mode == GL_LINE_LOOP && !im->compiling);
-        next = (struct immediate_prim){open->mode, 0, 0, open->begin && whole, false};
+        const bool whole = open->count == 0 || (open->count == 1 && open->mode == GL_LINE_LOOP);
+        next = (struct immediate_prim){open->mode, 0, 0, open->begin && whole && !im->compiling, false};
         if (!im->compiling) /* a list's primitive in several nodes is replayed vertex by vertex */
             im->copied_count = copy_open_vertices(im, open);
     }
-    if (im->count) {
+    if (is_worth_flushing(im)) {
         if (im->compiling)
             fgl_list_record_vertices(ctx, im);
         else
@@ -372,7 +381,8 @@ void fgl_end(struct context *ctx)
     im->mode = OUTSIDE_BEGIN_END;
     if (!im->compiling)
         ctx->begin_mode = OUTSIDE_BEGIN_END;
-    if (im->count >= im->max_count)
+    const bool executed_open = im->compiling && ctx->begin_mode != OUTSIDE_BEGIN_END; /* the first part of this primitive */
+    if (im->count >= im->max_count || executed_open)
         fgl_immediate_flush(ctx, im);
 }
 

@@ -1,5 +1,7 @@
 /* Display lists: their storage, NewList to CallLists. What a node holds is known to entry.c, list_vertices.c and list_replay.c. */
 #include "api/errors.h"
+#include "api/eval.h"
+#include "api/eval_map.h"
 #include "api/list.h"
 #include "api/pixel_image.h"
 #include "api/pixel_store.h"
@@ -128,7 +130,7 @@ static void *append(struct context *ctx, enum fgl_opcode op, size_t bytes)
 void *fgl_list_record(struct context *ctx, enum fgl_opcode op, size_t bytes)
 {
     struct immediate *im = ctx->list->vertices;
-    if (op != OP_VERTICES && im->format.floats) {
+    if (op != OP_VERTICES && (im->format.floats || im->prim_count)) {
         fgl_immediate_flush(ctx, im);
         if (im->mode == OUTSIDE_BEGIN_END)
             fgl_immediate_reset_format(im);
@@ -262,6 +264,8 @@ static void execute_node(struct context *ctx, struct node *node)
     case OP_BITMAP: fgl_list_replay_bitmap(ctx, payload); break;
     case OP_DRAW_PIXELS: fgl_list_replay_draw_pixels(ctx, payload); break;
     case OP_POLYGON_STIPPLE: fgl_polygon_stipple_set(ctx, payload); break;
+    case OP_MAP: fgl_map_replay(ctx, payload); break;
+    case OP_EVAL: fgl_eval_replay(ctx, payload); break;
     case OP_ERROR: fgl_error(ctx, *(GLenum *)payload); break;
     default: fgl_list_replay_command(ctx, (enum fgl_opcode)node->op, payload); break;
     }

@@ -18,6 +18,26 @@ void fgl_list_record_vertices(struct context *ctx, struct immediate *im);
 /* A current value set outside Begin/End. */
 void fgl_list_record_attribute(struct context *ctx, enum fgl_attr attr, int size, const float *v);
 
+/* Recording is off between these: what a command does in terms of other commands is not recorded in their place. */
+struct list_pause {
+    GLenum compiling;
+    struct immediate *vertices;
+};
+
+static inline struct list_pause fgl_list_pause(struct context *ctx)
+{
+    const struct list_pause pause = {ctx->compiling, ctx->vertices};
+    ctx->compiling = 0;
+    ctx->vertices = ctx->immediate;
+    return pause;
+}
+
+static inline void fgl_list_resume(struct context *ctx, struct list_pause pause)
+{
+    ctx->compiling = pause.compiling;
+    ctx->vertices = pause.vertices;
+}
+
 /* Raises an error of a command that may be compiled: now, or, while compiling, when the list is executed. */
 void fgl_command_error(struct context *ctx, GLenum error);
 

@@ -24,7 +24,7 @@ void fgl_list_record_vertices(struct context *ctx, struct immediate *im)
     node->format = im->format;
     node->count = im->count;
     node->prim_count = im->prim_count;
-    node->whole = true;
+    node->whole = im->count > 0;
     for (int i = 0; i < im->prim_count; i++)
         node->whole = node->whole && im->prim[i].begin && im->prim[i].end;
     memcpy(node->unset, im->unset, sizeof node->unset);

@@ -1,6 +1,7 @@
 /* The OSMesa API: contexts and the buffers that they draw to. Behaviour as Mesa 22.3's (docs/osmesa.md). */
 #include "osmesa/osmesa.h"
 #include "api/errors.h"
+#include "api/eval_map.h"
 #include "api/immediate.h"
 #include "api/list.h"
 #include "api/proc_address.h"
@@ -120,6 +121,7 @@ void GLAPIENTRY OSMesaDestroyContext(OSMesaContext c)
         fgl_current = NULL;
     fgl_list_compiler_destroy(&c->gl);
     fgl_list_store_release(c->gl.lists);
+    fgl_eval_maps_destroy(&c->gl);
     fgl_immediate_destroy(c->gl.immediate);
     fgl_pipeline_destroy(c->gl.pipeline);
     fgl_framebuffer_free(&c->fb);

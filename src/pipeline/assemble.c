@@ -50,7 +50,7 @@ static FGL_NOINLINE void polygon_mode(struct pipeline *p, uint32_t a, uint32_t b
     if (in.outcode)
         fgl_clip_triangle(p, &p->plan.raster, &in);
     else
-        fgl_raster_polygon_mode(&p->plan.raster, va, vb, vc, vc, edges);
+        fgl_raster_polygon_mode(&p->plan.raster, va, vb, vc, vc, edges, &p->stipple_counter);
 }
 
 static inline void triangle(const struct assembly *as, int i0, int i1, int i2, unsigned edges)
@@ -134,7 +134,8 @@ static void triangle_fan(const struct assembly *as, int n)
 static void polygon(const struct assembly *as, int n)
 {
     for (int i = 2; i < n; i++)
-        triangle(as, i - 1, i, 0, edge(as, i - 1, 0) | (i == n - 1 ? edge(as, i, 1) : 0) | (i == 2 ? edge(as, 0, 2) : 0));
+        triangle(as, i - 1, i, 0,
+                 edge(as, i - 1, 0) | (i == n - 1 ? edge(as, i, 1) : 0) | (i == 2 ? edge(as, 0, 2) : (unsigned)EDGES_GO_ON));
 }
 
 /* Whether a vertex from start to end lies outside the volume. */
@@ -159,7 +160,7 @@ static void quad_strip(const struct assembly *as, int n)
                 triangle(as, i, i + 1, i + 3, 0);
             triangle(as, i + 2, i, i + 3, 1 | 4);
             if (!simple)
-                triangle(as, i, i + 1, i + 3, 1 | 2);
+                triangle(as, i, i + 1, i + 3, 1 | 2 | EDGES_GO_ON);
         }
     }
 }
@@ -173,7 +174,7 @@ static void quad_by_first_diagonal(const struct assembly *as, int i)
 static void quad_by_second_diagonal(const struct assembly *as, int i)
 {
     triangle(as, i, i + 1, i + 3, edge(as, i, 0) | edge(as, i + 3, 2));
-    triangle(as, i + 1, i + 2, i + 3, edge(as, i + 1, 0) | edge(as, i + 2, 1));
+    triangle(as, i + 1, i + 2, i + 3, edge(as, i + 1, 0) | edge(as, i + 2, 1) | EDGES_GO_ON);
 }
 
 /* OSMesa rule: a quad's diagonal is from its first vertex when the draw is smooth, filled, neither indexed nor from a display list, and none of

@@ -97,8 +97,9 @@ static void emit_polygon(struct pipeline *p, const struct raster_plan *raster, c
             fgl_raster_triangle(raster, a, b, c, provoking);
             continue;
         }
-        const unsigned edges = (v[i - 1].edge ? 1u : 0) | (i == n - 1 && v[i].edge ? 2u : 0) | (i == 2 && v[0].edge ? 4u : 0);
-        fgl_raster_polygon_mode(&p->plan.raster, a, b, c, provoking, edges);
+        const unsigned edges = (v[i - 1].edge ? 1u : 0) | (i == n - 1 && v[i].edge ? 2u : 0) | (i == 2 && v[0].edge ? 4u : 0) |
+                               (i > 2 ? (unsigned)EDGES_GO_ON : 0);
+        fgl_raster_polygon_mode(&p->plan.raster, a, b, c, provoking, edges, &p->stipple_counter);
     }
 }
 

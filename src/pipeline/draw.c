@@ -69,7 +69,10 @@ static bool reserve(struct vertex_cache *c, int n, int stride)
 static void store_batch(struct pipeline *p, const struct vertex_batch *b, int at)
 {
     struct vertex_cache *c = &p->cache;
-    fgl_emit(&p->plan.emit, b, c->record + (size_t)at * (size_t)p->plan.emit.stride);
+    float *record = c->record + (size_t)at * (size_t)p->plan.emit.stride;
+    fgl_emit(&p->plan.emit, b, record);
+    if (FGL_UNLIKELY(p->plan.feedback.texture_coords))
+        fgl_feedback_emit(&p->plan, b, record);
     memcpy(c->outcode + at, b->outcode, (size_t)b->n * sizeof *c->outcode);
     if (b->outcode_any)
         for (int i = 0; i < b->n; i++)

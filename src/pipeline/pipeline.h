@@ -6,6 +6,7 @@
 #include "fragment/fragment.h"
 #include "base/workers.h"
 #include "pipeline/draw.h"
+#include "pipeline/feedback.h"
 #include "pipeline/triangles.h"
 #include "raster/raster.h"
 #include "vertex/emit.h"
@@ -17,6 +18,7 @@ struct plan {
     struct emit_plan emit;
     struct raster_plan raster;
     struct fragment_plan fragment;
+    struct feedback_plan feedback;
     uint32_t fetch;       /* attributes that some stage reads */
     uint32_t varying;     /* attributes that were arrays when the plan was made */
     bool polygon_fill;    /* both faces filled: no edge flags, no lines or points from triangles */
@@ -41,6 +43,7 @@ struct pipeline {
     struct triangle_list triangles;
     struct workers *workers; /* started by the first large draw */
     struct vertex_batch *batch[FGL_MAX_WORKERS]; /* each worker's, allocated when first used */
+    int stipple_counter; /* of polygons drawn as lines */
     uint32_t *elements; /* work space of glDrawElements */
     int elements_capacity;
 };

@@ -84,6 +84,10 @@ void fgl_pipeline_validate(struct context *ctx, uint32_t varying)
     update_emit(&p->plan);
     p->plan.fetch = fetch_mask(&p->plan);
     p->plan.varying = varying;
+    if (ctx->render_mode != GL_RENDER)
+        fgl_feedback_validate(ctx, &p->plan);
+    else
+        p->plan.feedback.texture_coords = false;
     ctx->dirty = 0;
     if (p->print_plan)
         fgl_plan_print(&p->plan);

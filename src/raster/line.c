@@ -202,9 +202,9 @@ static void stippled_line(const struct raster_plan *plan, const float *v0, const
     *counter += n;
 }
 
-void fgl_raster_line(const struct raster_plan *plan, const float *v0, const float *v1, const float *provoking, int *stipple_counter)
+void fgl_raster_draw_line(const struct raster_plan *plan, const float *v0, const float *v1, const float *provoking, int *stipple_counter)
 {
-    if (plan->line_stipple && stipple_counter)
+    if (plan->line_stipple)
         stippled_line(plan, v0, v1, provoking, stipple_counter);
     else
         unstippled_line(plan, v0, v1, provoking);

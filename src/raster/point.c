@@ -60,7 +60,7 @@ static void smooth_point(const struct raster_plan *plan, const float *v, float s
     plan->kernels->smooth_triangle(plan, corner[0], corner[2], corner[3], v, SMOOTH_POINT);
 }
 
-void fgl_raster_point(const struct raster_plan *plan, const float *v, float size)
+void fgl_raster_draw_point(const struct raster_plan *plan, const float *v, float size)
 {
     if (!within_limit(v))
         return;

@@ -42,14 +42,15 @@ static void copy_vertex(const struct raster_plan *plan, struct corner *to, const
         memcpy(to->lane + LANE_SECONDARY, color + from + 4, 3 * sizeof(float));
 }
 
-/* OSMesa rule: edges in the order v2 v0, v0 v1, v1 v2. The line stipple starts anew with each triangle. */
-static void draw_edges(const struct raster_plan *plan, const struct corner *v, unsigned edges)
+/* OSMesa rule: edges in the order v2 v0, v0 v1, v1 v2. */
+static void draw_edges(const struct raster_plan *plan, const struct corner *v, unsigned edges, int *stipple_counter)
 {
-    int counter = 0;
+    if (!(edges & EDGES_GO_ON))
+        *stipple_counter = 0;
     for (int i = 0; i < 3; i++) {
         const int from = (i + 2) % 3;
         if (edges >> from & 1)
-            fgl_raster_line(plan, v[from].lane, v[i].lane, v[i].lane, plan->line_stipple ? &counter : NULL);
+            fgl_raster_line(plan, v[from].lane, v[i].lane, v[i].lane, stipple_counter);
     }
 }
 
@@ -58,11 +59,11 @@ static void fill(const struct raster_plan *plan, const struct corner *v)
 {
     struct raster_plan filled = *plan;
     filled.two_sided = filled.offset_fill = false;
-    plan->kernels->triangle(&filled, v[0].lane, v[1].lane, v[2].lane, v[0].lane);
+    plan->filled(&filled, v[0].lane, v[1].lane, v[2].lane, v[0].lane);
 }
 
 void fgl_raster_polygon_mode(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2, const float *provoking,
-                             unsigned edges)
+                             unsigned edges, int *stipple_counter)
 {
     const float det = (v0[LANE_X] - v2[LANE_X]) * (v1[LANE_Y] - v2[LANE_Y]) - (v0[LANE_Y] - v2[LANE_Y]) * (v1[LANE_X] - v2[LANE_X]);
     const bool ccw = det < 0.0f, front = ccw == plan->front_is_ccw;
@@ -81,7 +82,7 @@ void fgl_raster_polygon_mode(const struct raster_plan *plan, const float *v0, co
     if (mode == GL_FILL)
         fill(plan, corner);
     else if (mode == GL_LINE)
-        draw_edges(plan, corner, edges);
+        draw_edges(plan, corner, edges, stipple_counter);
     else
         for (int i = 0; i < 3; i++)
             if (edges >> i & 1)

@@ -38,9 +38,18 @@ struct raster_kernels {
     void (*quad)(const struct raster_plan *plan, const struct polygon *corners, const struct planes *planes);
 };
 
+typedef void raster_line_fn(const struct raster_plan *plan, const float *v0, const float *v1, const float *provoking, int *stipple_counter);
+typedef void raster_point_fn(const struct raster_plan *plan, const float *v, float size);
+
 struct raster_plan {
     const struct raster_kernels *kernels;
     raster_triangle_fn *triangle; /* the kernel, or the longer road of polygon.c */
+    /* What becomes of primitives at the end of the longer road, of lines and of points: they are drawn, or taken by feedback or
+     * selection (pipeline/feedback.h), whose context `taker` is. */
+    raster_triangle_fn *filled;
+    raster_line_fn *line;
+    raster_point_fn *point;
+    struct context *taker;
     struct rect bounds; /* framebuffer and scissor: the only rectangle that bounds pixels (the viewport does not) */
     int stride;         /* floats from a raster vertex to the next */
     int lanes;          /* lanes to set up planes for, 4..LANE_MAX */
@@ -77,13 +86,26 @@ static inline void fgl_raster_triangle(const struct raster_plan *plan, const flo
     plan->triangle(plan, v0, v1, v2, provoking);
 }
 
-/* The same through glPolygonMode: edges and points as the modes of its face say; `edges` bit i: the edge from v_i to v_(i+1)%3 is a boundary. */
+/* The same through glPolygonMode: edges and points as the modes of its face say; `edges` bit i: the edge from v_i to v_(i+1)%3 is a boundary.
+ * The line stipple starts anew unless the triangle goes on with the polygon of the one before. */
+enum { EDGES_ALL = 7, EDGES_GO_ON = 8 };
 void fgl_raster_polygon_mode(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2, const float *provoking,
-                             unsigned edges);
+                             unsigned edges, int *stipple_counter);
 
-/* stipple_counter runs along a strip or loop; reset to 0 by the caller where GL says. NULL when stipple is off. */
-void fgl_raster_line(const struct raster_plan *plan, const float *v0, const float *v1, const float *provoking, int *stipple_counter);
+/* stipple_counter runs along a strip or loop; reset to 0 by the caller where GL says. */
+static inline void fgl_raster_line(const struct raster_plan *plan, const float *v0, const float *v1, const float *provoking,
+                                   int *stipple_counter)
+{
+    plan->line(plan, v0, v1, provoking, stipple_counter);
+}
 
-void fgl_raster_point(const struct raster_plan *plan, const float *v, float size);
+static inline void fgl_raster_point(const struct raster_plan *plan, const float *v, float size)
+{
+    plan->point(plan, v, size);
+}
+
+/* line.c, point.c: what draws them. */
+raster_line_fn fgl_raster_draw_line;
+raster_point_fn fgl_raster_draw_point;
 
 #endif

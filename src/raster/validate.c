@@ -23,13 +23,16 @@ static bool takes_longer_road(const struct raster_plan *plan)
 
 static void filled_triangle(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2, const float *provoking)
 {
-    fgl_raster_polygon_mode(plan, v0, v1, v2, provoking, 7);
+    fgl_raster_polygon_mode(plan, v0, v1, v2, provoking, EDGES_ALL, NULL);
 }
 
 void fgl_raster_validate(struct raster_plan *plan, const struct server_state *s, const struct fragment_plan *fragment)
 {
     const struct polygon_state *polygon = &s->polygon;
     plan->kernels = fgl_raster_kernels();
+    plan->filled = plan->kernels->triangle;
+    plan->line = fgl_raster_draw_line;
+    plan->point = fgl_raster_draw_point;
     plan->bounds = bounds_of(&s->scissor, fragment->fb);
     plan->framebuffer_height = fragment->fb->height;
     plan->fragment = fragment;

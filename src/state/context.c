@@ -134,6 +134,12 @@ static void init_pixel_maps(struct pixel_map *maps)
         maps[i].size = 1;
 }
 
+static void init_eval(struct eval_state *e)
+{
+    e->map1_grid_domain[1] = e->map2_grid_domain[1] = e->map2_grid_domain[3] = 1;
+    e->map1_grid_segments = e->map2_grid_segments[0] = e->map2_grid_segments[1] = 1;
+}
+
 static void init_arrays(struct client_array_state *a)
 {
     for (int i = 0; i < ATTR_MATERIAL; i++)
@@ -170,6 +176,9 @@ void fgl_state_init(struct context *ctx)
     init_hints(&ctx->s.hint);
     init_pixel_mode(&ctx->s.pixel_mode);
     init_pixel_maps(ctx->pixel_map);
+    init_eval(&ctx->s.eval);
+    ctx->render_mode = GL_RENDER;
+    ctx->feedback.type = GL_2D;
 
     init_arrays(&ctx->client.arrays);
     ctx->client.pack.alignment = ctx->client.unpack.alignment = 4;

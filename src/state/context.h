@@ -151,15 +151,35 @@ struct pixel_map {
     float value[FGL_MAX_PIXEL_MAP];
 };
 
-/* Tables 6.14 "Textures" (GL_TEXTURE_BIT) and 6.24 "Evaluators" (GL_EVAL_BIT): only what glEnable can say, so far without effect. */
+/* Table 6.14 "Textures" (GL_TEXTURE_BIT): only what glEnable can say, so far without effect. */
 struct texture_state {
     bool texture_1d, texture_2d;
     bool texture_gen[4]; /* s, t, r, q */
 };
 
+/* Table 6.26 "Evaluators" (GL_EVAL_BIT); the maps are in no attribute group. */
 struct eval_state {
     bool auto_normal;
     unsigned map1_enabled, map2_enabled; /* bit i: GL_MAP1_COLOR_4 + i, GL_MAP2_COLOR_4 + i */
+    float map1_grid_domain[2], map2_grid_domain[4];
+    int map1_grid_segments, map2_grid_segments[2];
+};
+
+/* Table 6.32 "Miscellaneous": feedback and selection, in no attribute group. */
+struct feedback_state {
+    float *buffer;
+    int size, count; /* values; count goes one beyond a full buffer */
+    GLenum type;     /* GL_2D ... GL_4D_COLOR_TEXTURE */
+};
+
+struct selection_state {
+    unsigned *buffer;
+    int size, count; /* values; count goes one beyond a full buffer */
+    int hits;        /* records */
+    bool hit;        /* something was hit since the name stack last changed, */
+    float min_z, max_z; /* at window depths between these */
+    int name_stack_depth;
+    unsigned name[FGL_MAX_NAME_DEPTH];
 };
 
 /* Everything that glPushAttrib can save. */
@@ -240,6 +260,10 @@ struct context {
     struct client_attrib_entry *client_attrib_stack;
     int client_attrib_depth;
 
+    GLenum render_mode; /* GL_RENDER, GL_FEEDBACK, GL_SELECT */
+    struct feedback_state feedback;
+    struct selection_state selection;
+
     GLenum accuracy; /* FIXEDGL_COMPATIBLE */
 
     /* The layers above, each known only to its own files. */
@@ -247,6 +271,7 @@ struct context {
     struct immediate *vertices;      /* where vertex commands go now: immediate, or the list being compiled */
     struct list_compiler *list;      /* api/list.h: the list being compiled */
     struct list_store *lists;        /* api/list.h: lists, maybe shared with other contexts */
+    struct eval_maps *eval_maps;     /* api/eval_map.h: allocated when first used */
     struct pipeline *pipeline;       /* pipeline/pipeline.h: the plan and its work space */
     struct framebuffer *framebuffer; /* framebuffer/framebuffer.h; NULL until OSMesaMakeCurrent */
     struct osmesa_context *osmesa;   /* osmesa/osmesa.c */

@@ -1,0 +1,161 @@
+/* Feedback and selection: what takes primitives from the rasterizer. See feedback.h.
+ *
+ * Polygons arrive, and are written, as the triangles that they are made of. All take the longer road of raster/polygon.c, which
+ * chooses faces, culls, offsets and turns polygons into lines and points, and flat shading has copied the colours. */
+#include "pipeline/feedback.h"
+#include "pipeline/pipeline.h"
+
+#include <math.h>
+
+/* ---- feedback (GL 1.5, 5.3) ---- */
+
+void fgl_feedback_value(struct feedback_state *f, float value)
+{
+    if (f->count < f->size)
+        f->buffer[f->count] = value;
+    if (f->count <= f->size)
+        f->count++;
+}
+
+static void values(struct feedback_state *f, const float *v, int n)
+{
+    for (int i = 0; i < n; i++)
+        fgl_feedback_value(f, v[i]);
+}
+
+void fgl_feedback_vertex(struct feedback_state *f, const float window[4], const float color[4], const float texture_coords[4])
+{
+    values(f, window, f->type == GL_2D ? 2 : f->type == GL_4D_COLOR_TEXTURE ? 4 : 3);
+    if (f->type != GL_2D && f->type != GL_3D)
+        values(f, color, 4);
+    if (f->type == GL_3D_COLOR_TEXTURE || f->type == GL_4D_COLOR_TEXTURE)
+        values(f, texture_coords, 4);
+}
+
+/* A vertex in the middle of nowhere (w = 0, overflow) cannot be drawn, nor can its primitive. */
+static bool is_somewhere(const float *v)
+{
+    return isfinite(v[LANE_X]) && isfinite(v[LANE_Y]) && isfinite(v[LANE_Z]) && isfinite(v[LANE_OOW]);
+}
+
+static void vertex(const struct raster_plan *plan, const float *v, const float *provoking)
+{
+    const struct fragment_plan *f = plan->fragment;
+    const float window[4] = {v[LANE_X], (float)plan->framebuffer_height - v[LANE_Y], v[LANE_Z], 1.0f / v[LANE_OOW]};
+    const float *given = f->color_source == COLOR_CONSTANT ? f->constant_color : (plan->flat ? provoking : v) + LANE_COLOR;
+    float color[4];
+    for (int i = 0; i < 4; i++)
+        color[i] = fgl_clamp01(given[i]);
+    fgl_feedback_vertex(&plan->taker->feedback, window, color, v + LANE_TEX0);
+}
+
+static void feedback_point(const struct raster_plan *plan, const float *v, float size)
+{
+    (void)size;
+    if (!is_somewhere(v))
+        return;
+    fgl_feedback_value(&plan->taker->feedback, GL_POINT_TOKEN);
+    vertex(plan, v, v);
+}
+
+static void feedback_line(const struct raster_plan *plan, const float *v0, const float *v1, const float *provoking, int *stipple_counter)
+{
+    if (!is_somewhere(v0) || !is_somewhere(v1))
+        return;
+    fgl_feedback_value(&plan->taker->feedback, *stipple_counter == 0 ? GL_LINE_RESET_TOKEN : GL_LINE_TOKEN);
+    *stipple_counter = 1;
+    vertex(plan, v0, provoking);
+    vertex(plan, v1, provoking);
+}
+
+static void feedback_triangle(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2, const float *provoking)
+{
+    const float *const v[3] = {v0, v1, v2};
+    if (!is_somewhere(v0) || !is_somewhere(v1) || !is_somewhere(v2))
+        return;
+    fgl_feedback_value(&plan->taker->feedback, GL_POLYGON_TOKEN);
+    fgl_feedback_value(&plan->taker->feedback, 3);
+    for (int i = 0; i < 3; i++)
+        vertex(plan, v[i], provoking);
+}
+
+/* ---- selection (GL 1.5, 5.2) ---- */
+
+void fgl_selection_hit(struct selection_state *s, float z)
+{
+    s->min_z = s->hit ? fminf(s->min_z, z) : z;
+    s->max_z = s->hit ? fmaxf(s->max_z, z) : z;
+    s->hit = true;
+}
+
+static void hit(const struct raster_plan *plan, const float *v)
+{
+    if (is_somewhere(v))
+        fgl_selection_hit(&plan->taker->selection, fgl_clamp01(v[LANE_Z]));
+}
+
+static void select_point(const struct raster_plan *plan, const float *v, float size)
+{
+    (void)size;
+    hit(plan, v);
+}
+
+static void select_line(const struct raster_plan *plan, const float *v0, const float *v1, const float *provoking, int *stipple_counter)
+{
+    (void)provoking, (void)stipple_counter;
+    hit(plan, v0);
+    hit(plan, v1);
+}
+
+static void select_triangle(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2, const float *provoking)
+{
+    (void)provoking;
+    hit(plan, v0);
+    hit(plan, v1);
+    hit(plan, v2);
+}
+
+/* ---- validation ---- */
+
+/* Raster vertices as long as feedback needs them: with the texture coordinates of the first unit. */
+static void extend_vertices(struct plan *plan)
+{
+    struct emit_plan *e = &plan->emit;
+    struct raster_plan *r = &plan->raster;
+    const int back = e->stride - e->lanes;
+    r->lanes = r->back_lane = e->lanes = e->back_lane = LANE_TEX0 + 4;
+    r->stride = e->stride = e->lanes + back;
+    plan->fetch |= 1u << ATTR_TEX0;
+}
+
+void fgl_feedback_validate(struct context *ctx, struct plan *plan)
+{
+    struct raster_plan *r = &plan->raster;
+    const bool feedback = ctx->render_mode == GL_FEEDBACK;
+    const struct matrix_stack *stack = &ctx->texture_matrix[0];
+    plan->polygon_fill = false; /* the longer road for all */
+    plan->rasterize = true;     /* whatever scissor and draw buffer let through */
+    plan->feedback.texture_coords = feedback;
+    for (int i = 0; i < 16; i++)
+        plan->feedback.texture_matrix[i] = stack->entry[stack->top].m[i];
+    r->filled = feedback ? feedback_triangle : select_triangle;
+    r->line = feedback ? feedback_line : select_line;
+    r->point = feedback ? feedback_point : select_point;
+    r->taker = ctx;
+    if (feedback)
+        extend_vertices(plan);
+}
+
+/* GL 1.5, 2.11.2: texture coordinates are multiplied by the texture matrix. */
+void fgl_feedback_emit(const struct plan *plan, const struct vertex_batch *b, float *record)
+{
+    const float *m = plan->feedback.texture_matrix, *constant = plan->vertex.constant[ATTR_TEX0];
+    const bool varying = b->varying & (1u << ATTR_TEX0);
+    for (int i = 0; i < b->n; i++, record += plan->emit.stride) {
+        float t[4];
+        for (int c = 0; c < 4; c++)
+            t[c] = varying ? b->in[ATTR_TEX0].c[c][i] : constant[c];
+        for (int row = 0; row < 4; row++)
+            record[LANE_TEX0 + row] = t[0] * m[row] + t[1] * m[4 + row] + t[2] * m[8 + row] + t[3] * m[12 + row];
+    }
+}
