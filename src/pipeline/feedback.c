@@ -79,6 +79,15 @@ static void feedback_triangle(const struct raster_plan *plan, const float *v0, c
         vertex(plan, v[i], provoking);
 }
 
+void fgl_feedback_raster_position(struct context *ctx, GLenum token)
+{
+    const struct current_state *current = &ctx->s.current;
+    if (!current->raster_position_valid)
+        return;
+    fgl_feedback_value(&ctx->feedback, (float)token);
+    fgl_feedback_vertex(&ctx->feedback, current->raster_position, current->raster_color, current->raster_texture_coords[0]);
+}
+
 /* ---- selection (GL 1.5, 5.2) ---- */
 
 void fgl_selection_hit(struct selection_state *s, float z)

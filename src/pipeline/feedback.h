@@ -27,7 +27,10 @@ void fgl_feedback_value(struct feedback_state *f, float value);
 /* A vertex, as much of it as the buffer's type asks for. window: y up; w is w_clip. */
 void fgl_feedback_vertex(struct feedback_state *f, const float window[4], const float color[4], const float texture_coords[4]);
 
-/* Something at window depth z, 0..1, is drawn while selecting. */
+/* What glBitmap, glDrawPixels and glCopyPixels do in GL_FEEDBACK mode in place of drawing: their token and the raster position, if valid. */
+void fgl_feedback_raster_position(struct context *ctx, GLenum token);
+
+/* Something at window depth z, 0..1, is drawn while selecting; also a valid glRasterPos. */
 void fgl_selection_hit(struct selection_state *s, float z);
 
 #endif
