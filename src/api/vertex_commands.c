@@ -77,19 +77,20 @@ NORMAL(GLint, i, norm_i)
 NORMAL(GLfloat, f, plain_f)
 NORMAL(GLdouble, d, plain_d)
 
-#define COLOR(T, s, f)                                                                                       \
-    void GLAPIENTRY glColor3##s(T r, T g, T b) { attribute(ATTR_COLOR, 3, f(r), f(g), f(b), 1); }            \
+/* OSMesa rule: of three components only floats stay three; others are made four, which can add alpha to the vertex format. */
+#define COLOR(T, s, f, three)                                                                                \
+    void GLAPIENTRY glColor3##s(T r, T g, T b) { attribute(ATTR_COLOR, three, f(r), f(g), f(b), 1); }        \
     void GLAPIENTRY glColor4##s(T r, T g, T b, T a) { attribute(ATTR_COLOR, 4, f(r), f(g), f(b), f(a)); }    \
-    void GLAPIENTRY glColor3##s##v(const T *v) { attribute(ATTR_COLOR, 3, f(v[0]), f(v[1]), f(v[2]), 1); }   \
+    void GLAPIENTRY glColor3##s##v(const T *v) { attribute(ATTR_COLOR, three, f(v[0]), f(v[1]), f(v[2]), 1); } \
     void GLAPIENTRY glColor4##s##v(const T *v) { attribute(ATTR_COLOR, 4, f(v[0]), f(v[1]), f(v[2]), f(v[3])); }
-COLOR(GLbyte, b, norm_b)
-COLOR(GLshort, s, norm_s)
-COLOR(GLint, i, norm_i)
-COLOR(GLubyte, ub, norm_ub)
-COLOR(GLushort, us, norm_us)
-COLOR(GLuint, ui, norm_ui)
-COLOR(GLfloat, f, plain_f)
-COLOR(GLdouble, d, plain_d)
+COLOR(GLbyte, b, norm_b, 4)
+COLOR(GLshort, s, norm_s, 4)
+COLOR(GLint, i, norm_i, 4)
+COLOR(GLubyte, ub, norm_ub, 4)
+COLOR(GLushort, us, norm_us, 4)
+COLOR(GLuint, ui, norm_ui, 4)
+COLOR(GLfloat, f, plain_f, 3)
+COLOR(GLdouble, d, plain_d, 4)
 
 #define INDEX(T, s, f)                                                                                       \
     void GLAPIENTRY glIndex##s(T c) { attribute(ATTR_INDEX, 1, f(c), 0, 0, 1); }                             \
