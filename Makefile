@@ -105,7 +105,8 @@ FUZZ = $(BUILD)/tests/fuzz/fuzz_diff
 GLUT_TESTS = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/glut/*.c))
 CLI_TESTS = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/cli/*.c))
 TEST_PROGRAMS = $(UNIT_TESTS) $(API_TESTS) $(ORACLE_TESTS) $(SCENE_TESTS) $(GLUT_TESTS) $(CLI_TESTS)
-TEST_CFLAGS = -std=c11 -g -O2 $(NUMERIC) $(WARN) $(SANITIZE) $(POSIX) -MMD -MP -Iinclude -Isrc -Itests
+TEST_CFLAGS = -std=c11 -g -O2 $(NUMERIC) $(WARN) $(SANITIZE) $(POSIX) -D_DEFAULT_SOURCE -DGL_GLEXT_PROTOTYPES -MMD -MP \
+              -Iinclude -Isrc -Itests
 
 $(UNIT_TESTS): $(BUILD)/tests/%: tests/%.c $(LIB)/libfixedgl.a
 	@mkdir -p $(@D)
@@ -116,9 +117,9 @@ $(API_TESTS): $(BUILD)/tests/%: tests/%.c $(LIB)/libfixedgl.so
 $(ORACLE_TESTS): $(BUILD)/tests/%: tests/%.c $(ORACLE_SOURCES) $(wildcard tests/oracle/*.h) $(LIB)/libfixedgl.so
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(TEST_CFLAGS) $< $(ORACLE_SOURCES) -L$(LIB) -lfixedgl -Wl,-rpath,'$$ORIGIN/../../lib' -lcmocka -ldl -lm -o $@
-$(SCENE_TESTS): $(wildcard tests/scenes/*.c tests/scenes/*.h) $(LIB)/libfixedgl.so
+$(SCENE_TESTS): $(wildcard tests/scenes/*.c tests/scenes/*.h) $(LIB)/libfixedgl.so $(filter-out %/main.o,$(CLI_OBJECTS))
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(TEST_CFLAGS) $(wildcard tests/scenes/*.c) -L$(LIB) -lfixedgl -Wl,-rpath,'$$ORIGIN/../../lib' -lcmocka -lpng -ldl -lm -o $@
+	$(Q)$(CC) $(TEST_CFLAGS) $(wildcard tests/scenes/*.c) $(filter-out %/main.o,$(CLI_OBJECTS)) -pthread -L$(LIB) -lfixedgl -Wl,-rpath,'$$ORIGIN/../../lib' -lcmocka -lpng -ldl -lm -o $@
 $(FUZZ): $(wildcard tests/fuzz/*.c tests/fuzz/*.h tests/fuzz/*.def)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(TEST_CFLAGS) $(wildcard tests/fuzz/*.c) -ldl -lm -o $@

@@ -9,6 +9,7 @@
 int fgl_count_light(GLenum pname);
 int fgl_count_light_model(GLenum pname);
 int fgl_count_fog(GLenum pname);
+int fgl_count_pixel_map(GLsizei mapsize);
 
 #define CMD_LIST(name, ...) void fgl_exec_##name(struct context *ctx, FGL_LIST(FGL_PARAM, __VA_ARGS__));
 #define CMD_LISTV(name, type, count, ...) CMD_LIST(name, __VA_ARGS__)
@@ -30,6 +31,8 @@ enum fgl_opcode {
     OP_CALL_LISTS,
     OP_POLYGON_STIPPLE,
     OP_RECT,
+    OP_BITMAP,
+    OP_DRAW_PIXELS,
     OP_MAP,  /* glMap */
     OP_EVAL, /* glEvalCoord, glEvalPoint */
     OP_ERROR, /* an error that the command would raise when executed */

@@ -51,6 +51,13 @@ struct runs {
     int32_t x0[RUNS_MAX], x1[RUNS_MAX];
 };
 
+/* Pixel rectangles (GL 1.5, 3.6.4): what comes from the image instead of from planes. Arrays by window x, as long as a row of the
+ * framebuffer with its padding; NULL: as for other primitives. */
+struct pixel_inputs {
+    const float *color[4]; /* all or none */
+    const float *depth;    /* [0,1] */
+};
+
 /* Draws the covered pixels of one primitive. */
 struct fragment_plan;
 typedef void fragment_fill_fn(const struct fragment_plan *plan, const struct planes *planes, const struct runs *runs);
@@ -80,6 +87,7 @@ struct fragment_plan {
     struct color_buffer_state color_buffer;
     struct stencil_state stencil;
     GLenum depth_func;
+    const struct pixel_inputs *pixels; /* NULL but for pixel rectangles; only the general kernel reads it */
 
     int lanes; /* lanes of a raster vertex that this plan reads, a multiple of LANE_GROUP */
     struct framebuffer *fb;

@@ -38,6 +38,11 @@ static inline void start_fragments(struct fragments *f, const struct fragment_pl
 
 static inline void interpolate_color(struct fragments *f, const struct fragment_plan *plan, const struct planes *p)
 {
+    if (plan->pixels && plan->pixels->color[0]) {
+        for (int c = 0; c < 4; c++)
+            FOR_GROUP(i) f->color[c][i] = plan->pixels->color[c][f->x + i];
+        return;
+    }
     for (int c = 0; c < 4; c++) {
         const float flat = plan->color_source == COLOR_FLAT ? p->a00[LANE_COLOR + c] : plan->constant_color[c];
         if (plan->color_source == COLOR_SMOOTH)

@@ -48,7 +48,11 @@ static inline void depth_compare(struct fragments *f, const struct fragment_plan
                                  int32_t *pass)
 {
     const float depth_max = (float)plan->fb->depth_max;
-    FOR_GROUP(i) f->depth[i] = depth_from_z(plane_at(p, LANE_Z, f->fx[i], f->fy) + p->z_offset, depth_max);
+    const float *given = plan->pixels ? plan->pixels->depth : NULL;
+    if (given)
+        FOR_GROUP(i) f->depth[i] = depth_from_z(given[f->x + i], depth_max);
+    else
+        FOR_GROUP(i) f->depth[i] = depth_from_z(plane_at(p, LANE_Z, f->fx[i], f->fy) + p->z_offset, depth_max);
     FOR_GROUP(i) pass[i] = compare(plan->depth_func, f->depth[i], old[i]);
 }
 

@@ -183,9 +183,11 @@ static void pack_color(const struct pixel_pack *pack, const struct framebuffer *
     const struct pixel_type *type = pack->image.type;
     const bool luminance = format->channel[0] == CHANNEL_LUMINANCE;
     const bool transfer = fgl_transfer_color_active(pack->mode);
+    /* OSMesa rule: index arithmetic, which does not concern colours, makes floats of them too. */
+    const bool as_float = luminance || transfer || pack->mode->index_shift || pack->mode->index_offset;
     struct fetched_row row;
 
-    fetch_color(fb, x, y, n, type, luminance || transfer || type->kind == COMPONENT_FLOAT, &row);
+    fetch_color(fb, x, y, n, type, as_float || type->kind == COMPONENT_FLOAT, &row);
     if (transfer)
         fgl_transfer_color(pack->mode, pack->maps, &row.color, n);
     if (luminance)
@@ -257,8 +259,8 @@ static void pack_stencil(const struct pixel_pack *pack, const struct framebuffer
     for (int i = 0; i < n; i++)
         index[i] = fb->stencil ? fb->stencil[(size_t)y * (size_t)fb->stride + (size_t)(x + i)] : 0;
     fgl_transfer_index(pack->mode, pack->maps, true, index, n);
-    for (int i = 0; i < n; i++)
-        out->value[0][i] = index_to_type(index[i], pack->image.type);
+    for (int i = 0; i < n; i++) /* OSMesa rule: what transfer gives is cut to 8 bits */
+        out->value[0][i] = index_to_type(index[i] & 255, pack->image.type);
 }
 
 /* ---- storing ---- */

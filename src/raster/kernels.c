@@ -48,15 +48,16 @@ enum { CULL_GROUP = 64 };
 static FGL_ALWAYS_INLINE void draw_triangle(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2,
                                             const float *provoking, const enum smoothing smoothing)
 {
-    const double x0 = snap(v0[LANE_X]), x1 = snap(v1[LANE_X]), x2 = snap(v2[LANE_X]);
-    const double y0 = snap(v0[LANE_Y]), y1 = snap(v1[LANE_Y]), y2 = snap(v2[LANE_Y]);
-    const double area = (x0 - x1) * (y2 - y0) - (x2 - x0) * (y0 - y1);
-    const bool ccw = area > 0.0;
-    if (!(area != 0.0 && fabs(area) < LARGEST_AREA) || (!smoothing && (ccw ? plan->cull_ccw : plan->cull_cw)))
+    const struct polygon p = {{snap(v0[LANE_X]), snap(v1[LANE_X]), snap(v2[LANE_X])}, {snap(v0[LANE_Y]), snap(v1[LANE_Y]), snap(v2[LANE_Y])}};
+    const struct extent extent = extent_of(&p, 3);
+    if (!extent_within_limit(extent))
         return;
-    const struct polygon from = {{x0, x1, x2, x0}, {y0, y1, y2, y0}}, to = {{x1, x2, x0, x1}, {y1, y2, y0, y1}};
-    const struct rect box = bounding_box(&from, &plan->bounds);
+    const struct rect box = pixels_of(extent, &plan->bounds);
     if (box.x0 >= box.x1 || box.y0 >= box.y1)
+        return;
+    const int64_t area = (p.x[0] - p.x[1]) * (p.y[2] - p.y[0]) - (p.x[2] - p.x[0]) * (p.y[0] - p.y[1]);
+    const bool ccw = area > 0;
+    if (area == 0 || (!smoothing && (ccw ? plan->cull_ccw : plan->cull_cw)))
         return;
 
     const float *const v[3] = {ccw ? v0 : v1, ccw ? v1 : v0, v2}; /* in set-up order */
@@ -66,7 +67,8 @@ static FGL_ALWAYS_INLINE void draw_triangle(const struct raster_plan *plan, cons
     struct planes planes;
     struct runs runs;
     bool ready = false;
-    edges_setup(&edges, &from, &to, ccw ? 1.0 : -1.0, &box);
+    for (int i = 0; i < 3; i++)
+        edge_setup(&edges, i, p.x[i], p.y[i], p.x[(i + 1) % 3], p.y[(i + 1) % 3], area >> 63, &box);
     for (int first = 0; first < box.y1 - box.y0; first += RUNS_MAX) {
         if (!cover_rows(&edges, 3, &box, first, &runs))
             continue;
@@ -93,6 +95,11 @@ static void smooth_triangle(const struct raster_plan *plan, const float *v0, con
         draw_triangle(plan, v0, v1, v2, provoking, SMOOTH_POINT);
 }
 
+/* The same as snap(), min and max as doubles, which vector units are better at. */
+static FGL_ALWAYS_INLINE double snap_double(float v) { return ((double)((v - 0.5f) * 256.0f) + ROUNDING_MAGIC) - ROUNDING_MAGIC; }
+static FGL_ALWAYS_INLINE double min3(double a, double b, double c) { return min_double(min_double(a, b), c); }
+static FGL_ALWAYS_INLINE double max3(double a, double b, double c) { return max_double(max_double(a, b), c); }
+
 /* Window x and y of the vertices of a group of triangles. */
 struct corners {
     float x[3][CULL_GROUP], y[3][CULL_GROUP];
@@ -113,17 +120,19 @@ static FGL_ALWAYS_INLINE void load_corners(struct corners *to, const struct cull
 static FGL_ALWAYS_INLINE void cull_boxes(const struct raster_plan *plan, const struct corners *v, int32_t *FGL_RESTRICT x0,
                                          int32_t *FGL_RESTRICT x1, int32_t *FGL_RESTRICT y0, int32_t *FGL_RESTRICT y1)
 {
+    const double limit = 256.0 * RASTER_LIMIT;
     const double drop_ccw = plan->cull_ccw ? -1.0 : 1.0, drop_cw = plan->cull_cw ? -1.0 : 1.0;
     for (int i = 0; i < CULL_GROUP; i++) {
-        const double ax = snap(v->x[0][i]), bx = snap(v->x[1][i]), cx = snap(v->x[2][i]);
-        const double ay = snap(v->y[0][i]), by = snap(v->y[1][i]), cy = snap(v->y[2][i]);
+        const double ax = snap_double(v->x[0][i]), bx = snap_double(v->x[1][i]), cx = snap_double(v->x[2][i]);
+        const double ay = snap_double(v->y[0][i]), by = snap_double(v->y[1][i]), cy = snap_double(v->y[2][i]);
         const double area = (ax - bx) * (cy - ay) - (cx - ax) * (ay - by);
         const double sign = area > 0.0 ? drop_ccw : area < 0.0 ? drop_cw : -1.0;
-        const double keep = fabs(area) < LARGEST_AREA ? sign : -1.0;
-        x0[i] = (near_int(keep > 0.0 ? min3(ax, bx, cx) : 0.0) + 255) >> 8;
-        x1[i] = (near_int(keep > 0.0 ? max3(ax, bx, cx) : 0.0) + 255) >> 8;
-        y0[i] = (near_int(keep > 0.0 ? min3(ay, by, cy) : 0.0) >> 8) + 1;
-        y1[i] = (near_int(keep > 0.0 ? max3(ay, by, cy) : 0.0) >> 8) + 1;
+        const double left = min3(ax, bx, cx), right = max3(ax, bx, cx), top = min3(ay, by, cy), bottom = max3(ay, by, cy);
+        const double keep = (left > -limit) & (top > -limit) & (right < limit) & (bottom < limit) ? sign : -1.0;
+        x0[i] = ((int32_t)(keep > 0.0 ? left : 0.0) + 255) >> 8;
+        x1[i] = ((int32_t)(keep > 0.0 ? right : 0.0) + 255) >> 8;
+        y0[i] = ((int32_t)(keep > 0.0 ? top : 0.0) >> 8) + 1;
+        y1[i] = ((int32_t)(keep > 0.0 ? bottom : 0.0) >> 8) + 1;
     }
 }
 
@@ -155,17 +164,16 @@ static int cull(const struct raster_plan *plan, const struct cull_input *in, int
 
 static void quad(const struct raster_plan *plan, const struct polygon *corners, const struct planes *planes)
 {
-    const struct rect box = bounding_box(corners, &plan->bounds);
-    struct polygon to;
+    const struct extent extent = extent_of(corners, POLYGON_EDGES);
+    const struct rect box = pixels_of(extent, &plan->bounds);
+    if (!extent_within_limit(extent) || box.x0 >= box.x1)
+        return;
     struct edges edges;
     struct runs runs;
-    if (box.x0 >= box.x1)
-        return;
     for (int i = 0; i < POLYGON_EDGES; i++) {
-        to.x[i] = corners->x[(i + 1) % POLYGON_EDGES];
-        to.y[i] = corners->y[(i + 1) % POLYGON_EDGES];
+        const int j = (i + 1) % POLYGON_EDGES;
+        edge_setup(&edges, i, corners->x[i], corners->y[i], corners->x[j], corners->y[j], 0, &box);
     }
-    edges_setup(&edges, corners, &to, 1.0, &box);
     for (int first = 0; first < box.y1 - box.y0; first += RUNS_MAX)
         if (cover_rows(&edges, POLYGON_EDGES, &box, first, &runs))
             plan->fragment->fill(plan->fragment, planes, &runs);

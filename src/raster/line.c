@@ -85,10 +85,10 @@ static struct shifts shifts_y_major(const struct line_end *s, const struct line_
 }
 
 /* OSMesa rule: a line's or point's vertex goes to the nearest 1/256 pixel, half away from zero. */
-static double snap_line(float v)
+static int64_t snap_line(float v)
 {
     const float s = (v - 0.5f) * 256.0f;
-    return (double)(int)(s >= 0.0f ? s + 0.5f : s - 0.5f);
+    return (int64_t)(s >= 0.0f ? s + 0.5f : s - 0.5f);
 }
 
 /* Planes along the line: no gradient across it. */
@@ -121,12 +121,12 @@ static void aliased_line(const struct raster_plan *plan, const float *v0, const 
     const struct line_end s = end_of(v0, major), e = end_of(v1, major);
     const struct shifts shift = x_major ? shifts_x_major(&s, &e, dx, dy, slope) : shifts_y_major(&s, &e, dx, dy, slope);
 
-    const double half_width = 128.0 * (int)(fmaxf(1.0f, plan->line_width) + 0.5f);
-    const double start_major = snap_line(s.major + shift.start), start_minor = snap_line(s.minor + shift.start * slope);
-    const double end_major = snap_line(e.major + shift.end), end_minor = snap_line(e.minor + shift.end * slope);
+    const int64_t half_width = 128 * (int)(fmaxf(1.0f, plan->line_width) + 0.5f);
+    const int64_t start_major = snap_line(s.major + shift.start), start_minor = snap_line(s.minor + shift.start * slope);
+    const int64_t end_major = snap_line(e.major + shift.end), end_minor = snap_line(e.minor + shift.end * slope);
     const bool forward = x_major ? dx < 0.0f : dy < 0.0f; /* towards larger coordinates */
-    const double lo = forward ? start_major : end_major, lo_minor = forward ? start_minor : end_minor;
-    const double hi = forward ? end_major : start_major, hi_minor = forward ? end_minor : start_minor;
+    const int64_t lo = forward ? start_major : end_major, lo_minor = forward ? start_minor : end_minor;
+    const int64_t hi = forward ? end_major : start_major, hi_minor = forward ? end_minor : start_minor;
     const struct polygon along_x = {{hi, lo, lo, hi},
                                     {hi_minor - half_width, lo_minor - half_width, lo_minor + half_width, hi_minor + half_width}};
     const struct polygon along_y = {{lo_minor - half_width, hi_minor - half_width, hi_minor + half_width, lo_minor + half_width},

@@ -22,7 +22,7 @@ static int first_pixel(int v, int n) { return n & 1 ? (v >> 8) - (n - 1) / 2 : (
 
 static void aliased_point(const struct raster_plan *plan, const float *v, float size)
 {
-    const int snapped_size = (int)round_even(256.0 * (double)fmaxf(1.0f, size)), n = (snapped_size + 127) >> 8; /* halves go down */
+    const int n = (int)(round_even(256.0 * (double)fmaxf(1.0f, size)) + 127) >> 8; /* halves go down */
     const int x = first_pixel(nearest(v[LANE_X] * 256.0f), n), y = first_pixel(nearest(v[LANE_Y] * 256.0f) - 1, n);
     const struct rect b = {fgl_max(plan->bounds.x0, x), fgl_max(plan->bounds.y0, y), fgl_min(plan->bounds.x1, x + n),
                            fgl_min(plan->bounds.y1, y + n)};

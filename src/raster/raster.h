@@ -8,10 +8,10 @@
 
 #include "fragment/fragment.h"
 
-/* Corners in units of 1/256 pixel, integers; pixel centres are multiples of 256. */
+/* Corners in units of 1/256 pixel; pixel centres are multiples of 256. */
 enum { POLYGON_EDGES = 4 };
 struct polygon {
-    double x[POLYGON_EDGES], y[POLYGON_EDGES];
+    int64_t x[POLYGON_EDGES], y[POLYGON_EDGES];
 };
 
 /* Triangles to cull: numbers of their vertices' records. A number a with the flag stands for a triangle that is yet to be clipped. */
@@ -74,6 +74,9 @@ struct raster_plan {
 
 /* The kernels of the processor's best instruction set. */
 const struct raster_kernels *fgl_raster_kernels(void);
+
+/* The pixels that may be drawn, y down: the framebuffer's, within the scissor rectangle when that test is enabled. */
+struct rect fgl_raster_bounds(const struct scissor_state *scissor, const struct framebuffer *fb);
 
 /* Fills all but stride, lanes, flat, two_sided, back_lane (the vertex stage's layout). */
 void fgl_raster_validate(struct raster_plan *plan, const struct server_state *s, const struct fragment_plan *fragment);

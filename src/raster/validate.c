@@ -2,7 +2,7 @@
 #include "raster/raster.h"
 
 /* GL 1.5, 4.1.2: the scissor rectangle, y up, turned over and cut to the framebuffer. */
-static struct rect bounds_of(const struct scissor_state *scissor, const struct framebuffer *fb)
+struct rect fgl_raster_bounds(const struct scissor_state *scissor, const struct framebuffer *fb)
 {
     if (!scissor->scissor_test)
         return (struct rect){0, 0, fb->width, fb->height};
@@ -33,7 +33,7 @@ void fgl_raster_validate(struct raster_plan *plan, const struct server_state *s,
     plan->filled = plan->kernels->triangle;
     plan->line = fgl_raster_draw_line;
     plan->point = fgl_raster_draw_point;
-    plan->bounds = bounds_of(&s->scissor, fragment->fb);
+    plan->bounds = fgl_raster_bounds(&s->scissor, fragment->fb);
     plan->framebuffer_height = fragment->fb->height;
     plan->fragment = fragment;
 

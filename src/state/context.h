@@ -12,6 +12,9 @@
 #include "state/dirty.h"
 #include "state/matrix.h"
 
+#ifndef GL_GLEXT_PROTOTYPES
+#define GL_GLEXT_PROTOTYPES 1 /* gl.h declares what came after OpenGL 1.3, too */
+#endif
 #include "GL/gl.h"
 
 /* Table 6.5 "Current Values and Associated Data" (GL_CURRENT_BIT). */

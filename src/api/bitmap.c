@@ -1,0 +1,101 @@
+/* glBitmap (GL 1.5, 3.7 "Bitmaps"). */
+#include "api/command.h"
+#include "api/list.h"
+#include "api/pixel_image.h"
+#include "api/set.h"
+#include "framebuffer/pixel_unpack.h"
+#include "pipeline/pixels.h"
+
+#include <math.h>
+#include <string.h>
+
+/* The bits of a row as runs of fragments. column0: window x of the first bit. */
+static void draw_row(const struct pixel_draw *draw, const struct pixel_image *image, int row, int y, int column0, int width)
+{
+    const int x0 = fgl_max(draw->bounds.x0, column0), x1 = fgl_min(draw->bounds.x1, column0 + width);
+    uint8_t bits[PIXEL_CHUNK];
+    for (int x = x0; x < x1; x += PIXEL_CHUNK) {
+        const int n = fgl_min(PIXEL_CHUNK, x1 - x);
+        fgl_unpack_bits(image, row, x - column0, n, bits);
+        for (int i = 0; i < n;) {
+            int end = i;
+            while (end < n && bits[end])
+                end++;
+            if (end > i)
+                fgl_pixels_run(draw, y, x + i, x + end);
+            i = end + 1;
+        }
+    }
+}
+
+/* OSMesa rule: the lower left corner is floor(raster position + 0.0001 - origin), in float. */
+static int corner(float position, float origin)
+{
+    const float limit = 1 << 24, v = floorf(position + 0.0001f - origin);
+    return (int)(v < -limit ? -limit : v < limit ? v : limit);
+}
+
+void fgl_bitmap(struct context *ctx, int width, int height, const float origin[2], const float move[2],
+                const struct pixel_store *store, const void *bits)
+{
+    struct current_state *current = &ctx->s.current;
+    fgl_flush_vertices(ctx, 0);
+    if (!current->raster_position_valid)
+        return;
+    if (ctx->framebuffer && width > 0 && height > 0 && bits) {
+        const struct pixel_image image = fgl_pixel_image(store, GL_COLOR_INDEX, GL_BITMAP, width, bits);
+        const int x = corner(current->raster_position[0], origin[0]), y = corner(current->raster_position[1], origin[1]);
+        struct pixel_draw draw;
+        fgl_pixels_begin(ctx, PIXELS_BITMAP, &draw);
+        for (int row = 0; row < height; row++) {
+            const int window_y = ctx->framebuffer->height - 1 - (y + row);
+            if (window_y >= draw.bounds.y0 && window_y < draw.bounds.y1)
+                draw_row(&draw, &image, row, window_y, x, width);
+        }
+    }
+    current->raster_position[0] += move[0];
+    current->raster_position[1] += move[1];
+}
+
+struct bitmap_node {
+    int32_t width, height;
+    float origin[2], move[2];
+    uint8_t bits[]; /* packed tightly */
+};
+
+static void record(struct context *ctx, int width, int height, const float origin[2], const float move[2],
+                   const GLubyte *bitmap)
+{
+    if (!bitmap)
+        width = height = 0;
+    const size_t bytes = fgl_pixel_image_bytes(&fgl_packed_store, GL_COLOR_INDEX, GL_BITMAP, width, height);
+    struct bitmap_node *node = fgl_list_record(ctx, OP_BITMAP, sizeof *node + bytes);
+    if (!node)
+        return;
+    *node = (struct bitmap_node){width, height, {origin[0], origin[1]}, {move[0], move[1]}};
+    fgl_pixel_copy(&ctx->client.unpack, GL_COLOR_INDEX, GL_BITMAP, width, height, bitmap, node->bits);
+}
+
+void fgl_list_replay_bitmap(struct context *ctx, const void *payload)
+{
+    const struct bitmap_node *n = payload;
+    fgl_bitmap(ctx, n->width, n->height, n->origin, n->move, &fgl_packed_store, n->bits);
+}
+
+void GLAPIENTRY glBitmap(GLsizei width, GLsizei height, GLfloat xorig, GLfloat yorig, GLfloat xmove, GLfloat ymove,
+                         const GLubyte *bitmap)
+{
+    struct context *ctx = fgl_current;
+    if (!ctx)
+        return;
+    RETURN_ERROR_IF(ctx, ctx->begin_mode != OUTSIDE_BEGIN_END, GL_INVALID_OPERATION);
+    if (width < 0 || height < 0) {
+        fgl_command_error(ctx, GL_INVALID_VALUE);
+        return;
+    }
+    const float origin[2] = {xorig, yorig}, move[2] = {xmove, ymove};
+    if (ctx->compiling)
+        record(ctx, width, height, origin, move, bitmap);
+    if (ctx->compiling != GL_COMPILE)
+        fgl_bitmap(ctx, width, height, origin, move, &ctx->client.unpack, bitmap);
+}

@@ -1,0 +1,303 @@
+/* glDrawPixels, glCopyPixels, glPixelZoom (GL 1.5, 3.6.4 "Rasterization of Pixel Rectangles", 4.3.3 "Copying Pixels"). */
+#include "api/command.h"
+#include "api/list.h"
+#include "api/pixel_image.h"
+#include "api/set.h"
+#include "framebuffer/pixel_pack.h"
+#include "framebuffer/pixel_unpack.h"
+#include "pipeline/pixels.h"
+#include "raster/zoom.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A pixel rectangle on its way to the framebuffer. Rows are unpacked whole; columns of the window choose from them. */
+struct rectangle {
+    struct pixel_unpack unpack;
+    struct zoom zoom;
+    struct pixel_draw draw;
+    struct rect area;   /* window pixels that it covers and may draw */
+    int planes;         /* floats of a pixel: 4 colour, 1 depth */
+    int first, columns; /* the image's columns that are seen */
+    int row;            /* of the image, in `source`; -1: none yet */
+    int *column;        /* by window x: which of the columns */
+    float *source[4], *shown[4]; /* the image's row; by window x */
+};
+
+/* OSMesa rule: the position is rounded half away from zero. */
+static int round_position(float v)
+{
+    const float limit = 1 << 24;
+    const float c = v < -limit ? -limit : v < limit ? v : limit;
+    return (int)(c < 0.0f ? c - 0.5f : c + 0.5f);
+}
+
+static bool place(const struct context *ctx, int width, int height, const struct rect *bounds, struct zoom *zoom,
+                  struct rect *area)
+{
+    const struct framebuffer *fb = ctx->framebuffer;
+    const float *position = ctx->s.current.raster_position;
+    fgl_zoom_setup(zoom, round_position(position[0]), round_position(position[1]), width, height,
+                   ctx->s.pixel_mode.zoom_x, ctx->s.pixel_mode.zoom_y, fb->width, fb->height);
+    area->x0 = fgl_max(zoom->covered.x0, bounds->x0);
+    area->y0 = fgl_max(zoom->covered.y0, bounds->y0);
+    area->x1 = fgl_min(zoom->covered.x1, bounds->x1);
+    area->y1 = fgl_min(zoom->covered.y1, bounds->y1);
+    return area->x0 < area->x1 && area->y0 < area->y1;
+}
+
+/* ---- colour and depth: fragments ---- */
+
+/* The columns of the image that the area shows, and room for rows of them. */
+static bool choose_columns(struct rectangle *r, int stride)
+{
+    const int a = fgl_zoom_column(&r->zoom, r->area.x0), b = fgl_zoom_column(&r->zoom, r->area.x1 - 1);
+    r->first = fgl_min(a, b);
+    r->columns = fgl_max(a, b) - r->first + 1;
+    r->row = -1;
+    r->column = malloc((size_t)stride * sizeof *r->column);
+    float *room = calloc((size_t)r->planes * ((size_t)r->columns + PIXEL_CHUNK + (size_t)stride), sizeof *room);
+    if (!r->column || !room) {
+        free(r->column);
+        free(room);
+        return false;
+    }
+    for (int i = 0; i < r->planes; i++) {
+        r->source[i] = room + (size_t)i * ((size_t)r->columns + PIXEL_CHUNK + (size_t)stride);
+        r->shown[i] = r->source[i] + r->columns + PIXEL_CHUNK;
+    }
+    for (int x = r->area.x0; x < r->area.x1; x++)
+        r->column[x] = fgl_zoom_column(&r->zoom, x) - r->first;
+    return true;
+}
+
+static void unpack_row(struct rectangle *r, int row)
+{
+    for (int done = 0; done < r->columns; done += PIXEL_CHUNK) {
+        const int n = fgl_min(PIXEL_CHUNK, r->columns - done);
+        if (r->planes == 1) {
+            fgl_unpack_depth(&r->unpack, row, r->first + done, n, r->source[0] + done);
+            continue;
+        }
+        struct color_row colors;
+        fgl_unpack_color(&r->unpack, row, r->first + done, n, &colors);
+        for (int c = 0; c < 4; c++)
+            memcpy(r->source[c] + done, colors.channel[c], (size_t)n * sizeof(float));
+    }
+}
+
+/* Makes the inputs of the fragments those of a row of the image. */
+static void show_row(struct rectangle *r, int row)
+{
+    if (row == r->row)
+        return;
+    unpack_row(r, row);
+    for (int c = 0; c < r->planes; c++)
+        for (int x = r->area.x0; x < r->area.x1; x++)
+            r->shown[c][x] = r->source[c][r->column[x]];
+    r->row = row;
+}
+
+/* Where the row passes from one triangle into the other: the first pixel that is not in the triangle of pixel x0. */
+static int triangle_end(const struct rectangle *r, int y)
+{
+    const bool first = fgl_zoom_in_first(&r->zoom, r->area.x0, y);
+    int x = r->area.x0 + 1;
+    while (x < r->area.x1 && fgl_zoom_in_first(&r->zoom, x, y) == first)
+        x++;
+    return x;
+}
+
+static void draw_rows(struct rectangle *r)
+{
+    const struct rect *area = &r->area;
+    for (int y = area->y0; y < area->y1; y++) {
+        const int rows[2] = {fgl_zoom_row(&r->zoom, y, 0), fgl_zoom_row(&r->zoom, y, 1)};
+        if (rows[0] == rows[1]) {
+            show_row(r, rows[0]);
+            fgl_pixels_run(&r->draw, y, area->x0, area->x1);
+            continue;
+        }
+        const int left = fgl_zoom_in_first(&r->zoom, area->x0, y) ? 0 : 1, end = triangle_end(r, y);
+        show_row(r, rows[left]);
+        fgl_pixels_run(&r->draw, y, area->x0, end);
+        show_row(r, rows[1 - left]);
+        fgl_pixels_run(&r->draw, y, end, area->x1);
+    }
+}
+
+static void draw_fragments(struct context *ctx, int width, int height, const struct pixel_unpack *unpack)
+{
+    const bool depth = unpack->image.format->channel[0] == CHANNEL_DEPTH;
+    struct rectangle r = {.unpack = *unpack, .planes = depth ? 1 : 4};
+    fgl_pixels_begin(ctx, depth ? PIXELS_DEPTH : PIXELS_COLOR, &r.draw);
+    if (!place(ctx, width, height, &r.draw.bounds, &r.zoom, &r.area))
+        return;
+    RETURN_ERROR_IF(ctx, !choose_columns(&r, ctx->framebuffer->stride), GL_OUT_OF_MEMORY);
+    r.draw.fragment.pixels = &r.draw.inputs;
+    if (depth)
+        r.draw.inputs.depth = r.shown[0];
+    for (int c = 0; c < 4 && !depth; c++)
+        r.draw.inputs.color[c] = r.shown[c];
+    draw_rows(&r);
+    free(r.column);
+    free(r.source[0]);
+}
+
+/* ---- stencil: straight into the buffer (3.6.4 "Final Conversion": scissor and mask alone apply) ---- */
+
+static void draw_stencil(struct context *ctx, int width, int height, const struct pixel_unpack *unpack)
+{
+    struct framebuffer *fb = ctx->framebuffer;
+    struct pixel_draw draw;
+    struct zoom zoom;
+    struct rect area;
+    RETURN_ERROR_IF(ctx, !fgl_framebuffer_need_stencil(fb), GL_OUT_OF_MEMORY);
+    fgl_pixels_begin(ctx, PIXELS_DEPTH, &draw);
+    if (!place(ctx, width, height, &draw.bounds, &zoom, &area))
+        return;
+    const uint8_t mask = (uint8_t)ctx->s.stencil.stencil_writemask;
+    for (int y = area.y0; y < area.y1; y++)
+        for (int x = area.x0; x < area.x1; x++) {
+            int32_t index;
+            fgl_unpack_stencil(unpack, fgl_zoom_row(&zoom, y, fgl_zoom_in_first(&zoom, x, y) ? 0 : 1),
+                               fgl_zoom_column(&zoom, x), 1, &index);
+            uint8_t *s = fb->stencil + (size_t)y * (size_t)fb->stride + x;
+            *s = (uint8_t)((*s & ~mask) | (index & mask));
+        }
+}
+
+/* ---- glDrawPixels ---- */
+
+/* The error of a format that asks for a buffer which the framebuffer does not have. */
+static GLenum buffer_error(const struct context *ctx, GLenum format)
+{
+    const struct framebuffer *fb = ctx->framebuffer;
+    if (fb && ((format == GL_DEPTH_COMPONENT && !fb->depth_bits) || (format == GL_STENCIL_INDEX && !fb->stencil_bits)))
+        return GL_INVALID_OPERATION;
+    return GL_NO_ERROR;
+}
+
+static GLenum draw_pixels_error(const struct context *ctx, GLsizei width, GLsizei height, GLenum format, GLenum type)
+{
+    if (width < 0 || height < 0)
+        return GL_INVALID_VALUE;
+    const GLenum error = fgl_pixel_check(format, type);
+    return error ? error : buffer_error(ctx, format);
+}
+
+void fgl_draw_pixels(struct context *ctx, int width, int height, GLenum format, GLenum type,
+                     const struct pixel_store *store, const void *pixels)
+{
+    fgl_flush_vertices(ctx, 0);
+    if (!ctx->framebuffer || !ctx->s.current.raster_position_valid || width == 0 || height == 0)
+        return;
+    const struct pixel_unpack unpack = {
+            .image = fgl_pixel_image(store, format, type, width, pixels),
+            .mode = &ctx->s.pixel_mode,
+            .maps = ctx->pixel_map,
+    };
+    if (format == GL_STENCIL_INDEX)
+        draw_stencil(ctx, width, height, &unpack);
+    else
+        draw_fragments(ctx, width, height, &unpack);
+}
+
+struct image_node {
+    int32_t width, height;
+    GLenum format, type;
+    max_align_t pixels[]; /* packed tightly */
+};
+
+static void record(struct context *ctx, GLsizei width, GLsizei height, GLenum format, GLenum type, const GLvoid *pixels)
+{
+    const size_t bytes = fgl_pixel_image_bytes(&fgl_packed_store, format, type, width, height);
+    struct image_node *node = fgl_list_record(ctx, OP_DRAW_PIXELS, sizeof *node + bytes);
+    if (!node)
+        return;
+    *node = (struct image_node){width, height, format, type};
+    fgl_pixel_copy(&ctx->client.unpack, format, type, width, height, pixels, node->pixels);
+}
+
+void fgl_list_replay_draw_pixels(struct context *ctx, const void *payload)
+{
+    const struct image_node *n = payload;
+    const GLenum error = draw_pixels_error(ctx, n->width, n->height, n->format, n->type);
+    RETURN_ERROR_IF(ctx, error, error);
+    fgl_draw_pixels(ctx, n->width, n->height, n->format, n->type, &fgl_packed_store, n->pixels);
+}
+
+void GLAPIENTRY glDrawPixels(GLsizei width, GLsizei height, GLenum format, GLenum type, const GLvoid *pixels)
+{
+    struct context *ctx = fgl_current;
+    if (!ctx)
+        return;
+    RETURN_ERROR_IF(ctx, ctx->begin_mode != OUTSIDE_BEGIN_END, GL_INVALID_OPERATION);
+    const GLenum error = draw_pixels_error(ctx, width, height, format, type);
+    if (error) {
+        fgl_command_error(ctx, error);
+        return;
+    }
+    if (ctx->compiling)
+        record(ctx, width, height, format, type, pixels);
+    if (ctx->compiling != GL_COMPILE)
+        fgl_draw_pixels(ctx, width, height, format, type, &ctx->client.unpack, pixels);
+}
+
+void fgl_exec_PixelZoom(struct context *ctx, GLfloat xfactor, GLfloat yfactor)
+{
+    SET(ctx, 0, ctx->s.pixel_mode.zoom_x, xfactor);
+    SET(ctx, 0, ctx->s.pixel_mode.zoom_y, yfactor);
+}
+
+/* ---- glCopyPixels: read as the buffer stores it, then drawn ---- */
+
+static GLenum copied_format(GLenum type)
+{
+    return type == GL_COLOR ? GL_RGBA : type == GL_DEPTH ? GL_DEPTH_COMPONENT : GL_STENCIL_INDEX;
+}
+
+static GLenum copied_type(const struct framebuffer *fb, GLenum type)
+{
+    if (type == GL_STENCIL)
+        return GL_UNSIGNED_BYTE;
+    if (type == GL_DEPTH)
+        return GL_UNSIGNED_INT;
+    return fb->color_kind == COLOR_FLOAT ? GL_FLOAT : fb->color_kind == COLOR_UNORM16 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE;
+}
+
+/* The rectangle into new memory; what lies outside of the framebuffer is 0. NULL when memory is short. */
+static void *read_rectangle(const struct context *ctx, int x, int y, int width, int height, GLenum format, GLenum type)
+{
+    static const struct pixel_mode_state no_transfer = {.scale = {1, 1, 1, 1}, .depth_scale = 1};
+    const struct framebuffer *fb = ctx->framebuffer;
+    void *pixels = calloc(1, fgl_pixel_image_bytes(&fgl_packed_store, format, type, width, height));
+    const struct pixel_pack pack = {
+            .image = fgl_pixel_image(&fgl_packed_store, format, type, width, pixels),
+            .mode = &no_transfer,
+            .maps = ctx->pixel_map,
+    };
+    const int64_t right = (int64_t)x + width, top = (int64_t)y + height;
+    const int x0 = fgl_max(x, 0), x1 = right < fb->width ? (int)right : fb->width;
+    for (int64_t row = fgl_max(y, 0); pixels && x0 < x1 && row < top && row < fb->height; row++)
+        fgl_pack_row(&pack, fb, x0, fb->height - 1 - (int)row, x1 - x0, (int)(row - y), x0 - x);
+    return pixels;
+}
+
+void fgl_exec_CopyPixels(struct context *ctx, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type)
+{
+    RETURN_ERROR_IF(ctx, width < 0 || height < 0, GL_INVALID_VALUE);
+    RETURN_ERROR_IF(ctx, type != GL_COLOR && type != GL_DEPTH && type != GL_STENCIL, GL_INVALID_ENUM);
+    const GLenum format = copied_format(type);
+    RETURN_ERROR_IF(ctx, buffer_error(ctx, format), GL_INVALID_OPERATION);
+    RETURN_ERROR_IF(ctx, type == GL_COLOR && ctx->s.pixel_mode.read_buffer == GL_NONE, GL_INVALID_OPERATION);
+    fgl_flush_vertices(ctx, 0);
+    if (!ctx->framebuffer || !ctx->s.current.raster_position_valid || width == 0 || height == 0)
+        return;
+    const GLenum component = copied_type(ctx->framebuffer, type);
+    void *pixels = read_rectangle(ctx, x, y, width, height, format, component);
+    RETURN_ERROR_IF(ctx, !pixels, GL_OUT_OF_MEMORY);
+    fgl_draw_pixels(ctx, width, height, format, component, &fgl_packed_store, pixels);
+    free(pixels);
+}

@@ -1,0 +1,17 @@
+/* Images and bitmaps of the pixel commands, given or from a display list (GL 1.5, 3.6.4, 3.7, 5.4). */
+#ifndef FGL_API_PIXEL_IMAGE_H
+#define FGL_API_PIXEL_IMAGE_H
+
+#include "framebuffer/pixel_format.h"
+
+/* The execution of glDrawPixels and glBitmap: arguments checked. `store` says how `pixels` lie in memory. */
+void fgl_draw_pixels(struct context *ctx, int width, int height, GLenum format, GLenum type,
+                     const struct pixel_store *store, const void *pixels);
+void fgl_bitmap(struct context *ctx, int width, int height, const float origin[2], const float move[2],
+                const struct pixel_store *store, const void *bits);
+
+/* The same from the payload of a node. */
+void fgl_list_replay_draw_pixels(struct context *ctx, const void *payload);
+void fgl_list_replay_bitmap(struct context *ctx, const void *payload);
+
+#endif

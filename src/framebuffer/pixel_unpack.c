@@ -1,0 +1,226 @@
+/* Unpacking a row: load elements, convert each component, pixel transfer. */
+#include "framebuffer/pixel_unpack.h"
+
+#include <string.h>
+
+const struct pixel_store fgl_packed_store = {.alignment = 1};
+
+/* ---- loading ---- */
+
+/* The first element of pixel `column`, and the elements from a pixel to the next. */
+static const uint8_t *element_at(const struct pixel_image *image, int row, int column)
+{
+    return fgl_pixel_row(image, row) + (size_t)column * image->pixel_bytes;
+}
+
+static uint32_t load_element(const uint8_t *p, int bytes, bool swap)
+{
+    uint8_t b[4] = {0};
+    memcpy(b, p, (size_t)bytes);
+    if (swap)
+        fgl_swap_bytes(b, 1, bytes);
+    if (bytes == 1)
+        return b[0];
+    if (bytes == 2) {
+        uint16_t v;
+        memcpy(&v, b, sizeof v);
+        return v;
+    }
+    uint32_t v;
+    memcpy(&v, b, sizeof v);
+    return v;
+}
+
+/* Component c of n pixels, as the bits of its element or the field of its pixel. */
+static void load_component(const struct pixel_image *image, int row, int column, int n, int c, uint32_t *out)
+{
+    const struct pixel_type *type = image->type;
+    const uint8_t *p = element_at(image, row, column) + (type->fields ? 0 : c * type->bytes);
+    for (int i = 0; i < n; i++, p += image->pixel_bytes)
+        out[i] = load_element(p, type->bytes, image->swap_bytes);
+    for (int i = 0; type->fields && i < n; i++)
+        out[i] = out[i] >> type->shift[c] & (0xffffffffu >> (32 - type->bits[c]));
+}
+
+static float float_of(uint32_t bits)
+{
+    float v;
+    memcpy(&v, &bits, sizeof v);
+    return v;
+}
+
+/* The element's value as a signed integer of its type. */
+static int32_t signed_of(uint32_t v, int bytes)
+{
+    return bytes == 1 ? (int8_t)v : bytes == 2 ? (int16_t)v : (int32_t)v;
+}
+
+/* ---- colour ---- */
+
+/* OSMesa rules: v * (1 / max) in float. 32-bit integers are first reduced to 16 bits, unsigned ones rounded, signed ones shifted; packed
+ * fields of less than 8 bits are first extended to 8 by repeating their bits. */
+static void convert_unsigned(const uint32_t *v, int n, int bits, float *out)
+{
+    if (bits == 32) {
+        for (int i = 0; i < n; i++)
+            out[i] = (float)(((uint64_t)v[i] * 65535 + 0x7fffffff) / 0xffffffff) * (1.0f / 65535.0f);
+    } else if (bits < 8) {
+        for (int i = 0; i < n; i++) {
+            uint32_t repeated = v[i] << (8 - bits);
+            for (int have = bits; have < 8; have *= 2)
+                repeated |= repeated >> have;
+            out[i] = (float)repeated * (1.0f / 255.0f);
+        }
+    } else {
+        const float step = 1.0f / (float)(0xffffffffu >> (32 - bits));
+        for (int i = 0; i < n; i++)
+            out[i] = (float)v[i] * step;
+    }
+}
+
+static void convert_signed(const uint32_t *v, int n, int bytes, float *out)
+{
+    const float step = bytes == 1 ? 1.0f / 127.0f : 1.0f / 32767.0f;
+    for (int i = 0; i < n; i++) {
+        const int32_t value = signed_of(v[i], bytes);
+        const float f = (float)(bytes == 4 ? (int32_t)(int16_t)(v[i] >> 16) : value) * step;
+        out[i] = f < -1.0f ? -1.0f : f;
+    }
+}
+
+static void convert_component(const struct pixel_type *type, int c, const uint32_t *v, int n, float *out)
+{
+    if (type->kind == COMPONENT_FLOAT)
+        for (int i = 0; i < n; i++)
+            out[i] = float_of(v[i]);
+    else if (type->kind == COMPONENT_SIGNED)
+        convert_signed(v, n, type->bytes, out);
+    else
+        convert_unsigned(v, n, type->fields ? type->bits[c] : 8 * type->bytes, out);
+}
+
+/* GL 1.5, 3.6.4 "Final Expansion to RGBA": missing colours are 0, missing alpha is 1; luminance is all three colours. */
+static void expand(const struct pixel_format *format, struct color_row *row, int n)
+{
+    bool given[4] = {false, false, false, false};
+    for (int c = 0; c < format->components; c++)
+        if (format->channel[c] != CHANNEL_LUMINANCE)
+            given[format->channel[c]] = true;
+    if (format->channel[0] == CHANNEL_LUMINANCE) {
+        given[0] = given[1] = given[2] = true;
+        memcpy(row->channel[1], row->channel[0], (size_t)n * sizeof(float));
+        memcpy(row->channel[2], row->channel[0], (size_t)n * sizeof(float));
+    }
+    for (int c = 0; c < 4; c++)
+        for (int i = 0; !given[c] && i < n; i++)
+            row->channel[c][i] = c == 3 ? 1.0f : 0.0f;
+}
+
+/* ---- indexes ---- */
+
+static void unpack_index(const struct pixel_unpack *unpack, int row, int column, int n, bool stencil, int32_t *out)
+{
+    const struct pixel_type *type = unpack->image.type;
+    uint32_t v[PIXEL_CHUNK];
+    if (type->kind == COMPONENT_BITMAP) {
+        uint8_t bits[PIXEL_CHUNK];
+        fgl_unpack_bits(&unpack->image, row, column, n, bits);
+        for (int i = 0; i < n; i++)
+            out[i] = bits[i];
+    } else {
+        load_component(&unpack->image, row, column, n, 0, v);
+        for (int i = 0; i < n; i++)
+            out[i] = type->kind == COMPONENT_FLOAT    ? (int32_t)float_of(v[i])
+                     : type->kind == COMPONENT_SIGNED ? signed_of(v[i], type->bytes)
+                                                      : (int32_t)v[i];
+    }
+    fgl_transfer_index(unpack->mode, unpack->maps, stencil, out, n);
+}
+
+void fgl_unpack_color(const struct pixel_unpack *unpack, int row, int column, int n, struct color_row *out)
+{
+    const struct pixel_image *image = &unpack->image;
+    const struct pixel_format *format = image->format;
+    if (format->channel[0] == CHANNEL_INDEX) {
+        int32_t index[PIXEL_CHUNK];
+        unpack_index(unpack, row, column, n, false, index);
+        fgl_transfer_index_to_color(unpack->maps, index, out, n);
+        return;
+    }
+    uint32_t v[PIXEL_CHUNK];
+    for (int c = 0; c < format->components; c++) {
+        const int channel = format->channel[c] == CHANNEL_LUMINANCE ? 0 : (int)format->channel[c];
+        load_component(image, row, column, n, c, v);
+        convert_component(image->type, c, v, n, out->channel[channel]);
+    }
+    expand(format, out, n);
+    if (fgl_transfer_color_active(unpack->mode))
+        fgl_transfer_color(unpack->mode, unpack->maps, out, n);
+}
+
+/* ---- depth and stencil ---- */
+
+/* GL 1.5, table 2.9: (2c + 1) / (2^b - 1). Colours do not use it, as in OSMesa. */
+static double signed_depth(uint32_t v, int bytes)
+{
+    return (2.0 * signed_of(v, bytes) + 1.0) / (double)(0xffffffffu >> (32 - 8 * bytes));
+}
+
+void fgl_unpack_depth(const struct pixel_unpack *unpack, int row, int column, int n, float *out)
+{
+    const struct pixel_type *type = unpack->image.type;
+    uint32_t v[PIXEL_CHUNK];
+    load_component(&unpack->image, row, column, n, 0, v);
+    if (type->kind == COMPONENT_UNSIGNED && type->bytes == 4)
+        for (int i = 0; i < n; i++)
+            out[i] = (float)((double)(v[i] >> 8) / 16777215.0);
+    else if (type->kind == COMPONENT_SIGNED)
+        for (int i = 0; i < n; i++)
+            out[i] = (float)(signed_depth(v[i], type->bytes));
+    else
+        convert_component(type, 0, v, n, out);
+    fgl_transfer_depth(unpack->mode, out, n);
+}
+
+void fgl_unpack_stencil(const struct pixel_unpack *unpack, int row, int column, int n, int32_t *out)
+{
+    unpack_index(unpack, row, column, n, true, out);
+}
+
+void fgl_unpack_bits(const struct pixel_image *image, int row, int column, int n, uint8_t *out)
+{
+    const uint8_t *bytes = fgl_pixel_row(image, row);
+    for (int i = 0; i < n; i++) {
+        const int bit = image->first_bit + column + i;
+        out[i] = bytes[bit / 8] >> (image->lsb_first ? bit % 8 : 7 - bit % 8) & 1;
+    }
+}
+
+/* ---- copies for display lists ---- */
+
+static void copy_bits(const struct pixel_image *image, int row, int width, uint8_t *out)
+{
+    memset(out, 0, ((size_t)width + 7) / 8);
+    for (int x = 0; x < width; x++) {
+        uint8_t bit;
+        fgl_unpack_bits(image, row, x, 1, &bit);
+        out[x / 8] = (uint8_t)(out[x / 8] | bit << (7 - x % 8));
+    }
+}
+
+void fgl_pixel_copy(const struct pixel_store *store, GLenum format, GLenum type, int width, int height, const void *pixels,
+                    void *out)
+{
+    const struct pixel_image from = fgl_pixel_image(store, format, type, width, pixels);
+    const struct pixel_image to = fgl_pixel_image(&fgl_packed_store, format, type, width, out);
+    for (int y = 0; y < height; y++) {
+        uint8_t *row = fgl_pixel_row(&to, y);
+        if (from.type->kind == COMPONENT_BITMAP) {
+            copy_bits(&from, y, width, row);
+            continue;
+        }
+        memcpy(row, fgl_pixel_row(&from, y), to.row_bytes);
+        if (from.swap_bytes)
+            fgl_swap_bytes(row, to.row_bytes / (size_t)from.type->bytes, from.type->bytes);
+    }
+}

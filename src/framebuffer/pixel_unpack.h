@@ -1,0 +1,33 @@
+/* Unpacking: rows of the caller's memory into floats or indexes (GL 1.5, 3.6.4 "Rasterization of Pixel Rectangles"). The mirror of
+ * pixel_pack.h. Layer 2. */
+#ifndef FGL_FRAMEBUFFER_PIXEL_UNPACK_H
+#define FGL_FRAMEBUFFER_PIXEL_UNPACK_H
+
+#include "framebuffer/pixel_format.h"
+#include "framebuffer/pixel_transfer.h"
+
+/* The state that unpacking depends on. */
+struct pixel_unpack {
+    struct pixel_image image;
+    const struct pixel_mode_state *mode;
+    const struct pixel_map *maps;
+};
+
+/* n pixels of row `row` from pixel `column` on, after pixel transfer; n <= PIXEL_CHUNK.
+ * Colours: formats with colour channels and GL_COLOR_INDEX, which goes through the maps. Not clamped. */
+void fgl_unpack_color(const struct pixel_unpack *unpack, int row, int column, int n, struct color_row *out);
+/* GL_DEPTH_COMPONENT: in [0,1]. */
+void fgl_unpack_depth(const struct pixel_unpack *unpack, int row, int column, int n, float *out);
+/* GL_STENCIL_INDEX. */
+void fgl_unpack_stencil(const struct pixel_unpack *unpack, int row, int column, int n, int32_t *out);
+
+/* Bits of a bitmap: n values 0 or 1. */
+void fgl_unpack_bits(const struct pixel_image *image, int row, int column, int n, uint8_t *out);
+
+/* Copies an image of width x height pixels to `out`, as a display list keeps it: tightly packed, bytes in our order, first bit
+ * highest. Room: fgl_pixel_image_bytes(&fgl_packed_store, ...). */
+extern const struct pixel_store fgl_packed_store;
+void fgl_pixel_copy(const struct pixel_store *store, GLenum format, GLenum type, int width, int height, const void *pixels,
+                    void *out);
+
+#endif

@@ -1,0 +1,61 @@
+#include "pipeline/pixels.h"
+
+#include "pipeline/pipeline.h"
+
+#include <string.h>
+
+static void set_constant(struct planes *p, int lane, float value)
+{
+    p->a00[lane] = value;
+    p->dadx[lane] = p->dady[lane] = 0.0f;
+}
+
+/* OSMesa rules: z goes through clip space; pixel rectangles have the fog coordinate 0, and no secondary colour; the raster colours are
+ * clamped. */
+static void set_planes(struct planes *p, const struct current_state *current)
+{
+    const float clip_z = current->raster_position[2] * 2.0f - 1.0f;
+    memset(p, 0, sizeof *p);
+    set_constant(p, LANE_OOW, 1.0f);
+    set_constant(p, LANE_Z, clip_z * 0.5f + 0.5f);
+    for (int c = 0; c < 3; c++)
+        set_constant(p, LANE_SECONDARY + c, fgl_clamp01(current->raster_secondary_color[c]));
+}
+
+/* GL 1.5, 3.9 "Color Sum". */
+static bool color_sum(const struct server_state *s)
+{
+    return s->lighting.lighting ? s->lighting.light_model_color_control == GL_SEPARATE_SPECULAR_COLOR : s->fog.color_sum;
+}
+
+void fgl_pixels_begin(struct context *ctx, enum pixel_kind kind, struct pixel_draw *draw)
+{
+    struct fragment_plan *f = &draw->fragment;
+    struct raster_plan raster;
+
+    memset(f, 0, sizeof *f);
+    memset(&draw->inputs, 0, sizeof draw->inputs);
+    f->color_source = COLOR_CONSTANT;
+    for (int c = 0; c < 4; c++)
+        f->constant_color[c] = fgl_clamp01(ctx->s.current.raster_color[c]);
+    f->has_secondary = kind == PIXELS_BITMAP && color_sum(&ctx->s);
+    fgl_fragment_validate(f, &ctx->s, ctx->framebuffer, ctx->pipeline->general);
+    if (kind != PIXELS_BITMAP) {
+        f->pixels = &draw->inputs;
+        f->fill = f->general;
+    }
+    if (kind == PIXELS_DEPTH)
+        f->has_fog = false; /* OSMesa rule */
+    fgl_raster_validate(&raster, &ctx->s, f);
+    draw->bounds = raster.bounds;
+    set_planes(&draw->planes, &ctx->s.current);
+    ctx->framebuffer->drawn = true;
+}
+
+void fgl_pixels_run(const struct pixel_draw *draw, int y, int x0, int x1)
+{
+    struct runs runs = {.y = y, .n = 1};
+    runs.x0[0] = x0;
+    runs.x1[0] = x1;
+    draw->fragment.fill(&draw->fragment, &draw->planes, &runs);
+}
