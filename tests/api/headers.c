@@ -3,7 +3,9 @@
  * Everything is checked when this file is compiled. Programs compiled with other headers run on FixedGL, so
  * none of it may ever change.
  */
+#ifndef GL_GLEXT_PROTOTYPES
 #define GL_GLEXT_PROTOTYPES
+#endif
 #include <GL/osmesa.h>
 #include <fixedgl.h>
 
