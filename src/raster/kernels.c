@@ -128,7 +128,7 @@ static FGL_ALWAYS_INLINE void cull_boxes(const struct raster_plan *plan, const s
         const double area = (ax - bx) * (cy - ay) - (cx - ax) * (ay - by);
         const double sign = area > 0.0 ? drop_ccw : area < 0.0 ? drop_cw : -1.0;
         const double left = min3(ax, bx, cx), right = max3(ax, bx, cx), top = min3(ay, by, cy), bottom = max3(ay, by, cy);
-        const double keep = (left > -limit) & (top > -limit) & (right < limit) & (bottom < limit) ? sign : -1.0;
+        const double keep = ((left > -limit) & (top > -limit) & (right < limit) & (bottom < limit)) ? sign : -1.0;
         x0[i] = ((int32_t)(keep > 0.0 ? left : 0.0) + 255) >> 8;
         x1[i] = ((int32_t)(keep > 0.0 ? right : 0.0) + 255) >> 8;
         y0[i] = ((int32_t)(keep > 0.0 ? top : 0.0) >> 8) + 1;
