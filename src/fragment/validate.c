@@ -19,7 +19,7 @@ static void validate_fog(struct fragment_plan *plan, const struct fog_state *fog
     plan->fog_k = fog->fog_mode == GL_EXP2 ? (float)((double)fog->fog_density * 1.2011224087864498)
                                            : (float)((double)fog->fog_density * 1.4426950408889634);
     for (int i = 0; i < 4; i++)
-        plan->fog_color[i] = fog->fog_color[i];
+        plan->fog_color[i] = fgl_clamp01(fog->fog_color[i]); /* queries clamp too */
 }
 
 /* The kernel that does just what the plan asks for, or NULL. */
