@@ -5,6 +5,7 @@
 #ifndef FGL_FRAGMENT_FRAGMENT_H
 #define FGL_FRAGMENT_FRAGMENT_H
 
+#include "base/cpu.h"
 #include "base/fgl.h"
 #include "framebuffer/framebuffer.h"
 #include "state/context.h"
@@ -97,7 +98,8 @@ struct fragment_plan {
  * set them before. general: no fused kernel (FIXEDGL_PATH=general). */
 void fgl_fragment_validate(struct fragment_plan *plan, const struct server_state *s, struct framebuffer *fb, bool general);
 
-/* The kernels of the processor's best instruction set. */
+/* The kernels of the processor's best instruction set, and of any that fgl_cpu_has. */
 const struct fragment_kernels *fgl_fragment_kernels(void);
+const struct fragment_kernels *fgl_fragment_kernels_of(enum fgl_isa isa);
 
 #endif

@@ -72,8 +72,9 @@ struct raster_plan {
     const struct fragment_plan *fragment;
 };
 
-/* The kernels of the processor's best instruction set. */
+/* The kernels of the processor's best instruction set, and of any that fgl_cpu_has. */
 const struct raster_kernels *fgl_raster_kernels(void);
+const struct raster_kernels *fgl_raster_kernels_of(enum fgl_isa isa);
 
 /* The pixels that may be drawn, y down: the framebuffer's, within the scissor rectangle when that test is enabled. */
 struct rect fgl_raster_bounds(const struct scissor_state *scissor, const struct framebuffer *fb);

@@ -1,5 +1,4 @@
 /* Which kernels this processor runs. */
-#include "base/cpu.h"
 #include "raster/raster.h"
 
 #if defined(__x86_64__) && defined(__GNUC__)
@@ -11,4 +10,5 @@ extern const struct raster_kernels fgl_raster_kernels_base;
 static const struct raster_kernels *const kernels[FGL_ISA_COUNT] = {&fgl_raster_kernels_base};
 #endif
 
+const struct raster_kernels *fgl_raster_kernels_of(enum fgl_isa isa) { return kernels[isa]; }
 const struct raster_kernels *fgl_raster_kernels(void) { return kernels[fgl_cpu_isa()]; }
