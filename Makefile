@@ -139,6 +139,7 @@ check: test-programs
 test: deps
 	$(MAKE) -j$(JOBS) check CC=gcc BUILD=$(BUILD)
 	$(MAKE) -j$(JOBS) check CC=clang BUILD=$(BUILD)/clang
+	tests/identity.sh $(BUILD)
 
 asan: deps
 	$(MAKE) -j$(JOBS) check CC=gcc BUILD=$(BUILD)/asan OPT=-O1 \
@@ -171,7 +172,8 @@ fuzz-diff: deps
 	$(FUZZ)
 
 identity: deps
-	tests/identity.sh
+	$(MAKE) -j$(JOBS) all
+	tests/identity.sh $(BUILD)
 
 deps:
 	@tests/tools/deps.sh
