@@ -13,8 +13,8 @@ static int16_t wrapped(float v)
 void fgl_accum_clear(struct framebuffer *fb, struct rect r, const float value[4])
 {
     int16_t clear[4];
-    for (int c = 0; c < 4; c++)
-        clear[c] = (int16_t)(value[c] * 32767.0f);
+    for (int c = 0; c < 4; c++) /* OSMesa rule: as GL 1.5, table 4.7 converts to 16 bits */
+        clear[c] = (int16_t)((int32_t)(65535.0f * value[c] - 1.0f) / 2);
     for (int y = r.y0; y < r.y1; y++) {
         int16_t *a = accum_at(fb, r.x0, y);
         for (int i = 0; i < 4 * (r.x1 - r.x0); i++)

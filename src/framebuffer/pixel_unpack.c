@@ -57,8 +57,8 @@ static int32_t signed_of(uint32_t v, int bytes)
 
 /* ---- colour ---- */
 
-/* OSMesa rules: v * (1 / max) in float. 32-bit integers are first reduced to 16 bits, unsigned ones rounded, signed ones shifted; packed
- * fields of less than 8 bits are first extended to 8 by repeating their bits. */
+/* OSMesa rules: v * (1 / max) in float. 32-bit integers are first reduced to 16 bits, unsigned ones rounded,
+ * signed ones shifted; packed fields of less than 8 bits are first extended to 8 by repeating their bits. */
 static void convert_unsigned(const uint32_t *v, int n, int bits, float *out)
 {
     if (bits == 32) {
@@ -99,7 +99,8 @@ static void convert_component(const struct pixel_type *type, int c, const uint32
         convert_unsigned(v, n, type->fields ? type->bits[c] : 8 * type->bytes, out);
 }
 
-/* GL 1.5, 3.6.4 "Final Expansion to RGBA": missing colours are 0, missing alpha is 1; luminance is all three colours. */
+/* GL 1.5, 3.6.4 "Final Expansion to RGBA": missing colours are 0, missing alpha is 1; luminance is all three
+ * colours. */
 static void expand(const struct pixel_format *format, struct color_row *row, int n)
 {
     bool given[4] = {false, false, false, false};
@@ -118,7 +119,8 @@ static void expand(const struct pixel_format *format, struct color_row *row, int
 
 /* ---- indexes ---- */
 
-static void unpack_index(const struct pixel_unpack *unpack, int row, int column, int n, bool stencil, int32_t *out)
+static void unpack_index(const struct pixel_unpack *unpack, int row, int column, int n, bool stencil,
+                         int32_t *out)
 {
     const struct pixel_type *type = unpack->image.type;
     uint32_t v[PIXEL_CHUNK];
@@ -160,26 +162,47 @@ void fgl_unpack_color(const struct pixel_unpack *unpack, int row, int column, in
 
 /* ---- depth and stencil ---- */
 
-/* GL 1.5, table 2.9: (2c + 1) / (2^b - 1). Colours do not use it, as in OSMesa. */
-static double signed_depth(uint32_t v, int bytes)
+/* OSMesa rule: depths pass through an integer of 32, 16 or 24 bits, by type, which floats are cut to; and 32
+ * bits are read as their first 23. */
+struct depth_steps {
+    double max;
+    float step;
+    int shift;
+};
+
+static struct depth_steps depth_steps_of(GLenum type)
 {
-    return (2.0 * signed_of(v, bytes) + 1.0) / (double)(0xffffffffu >> (32 - 8 * bytes));
+    if (type == GL_UNSIGNED_INT)
+        return (struct depth_steps){4294967295.0, 1.0f / 8388607.0f, 9};
+    if (type == GL_UNSIGNED_SHORT)
+        return (struct depth_steps){65535.0, 1.0f / 65535.0f, 0};
+    return (struct depth_steps){16777215.0, 1.0f / 16777215.0f, 0};
+}
+
+/* Elements to depths in [0,1], not yet cut: signed ones as GL 1.5, table 2.9 says, (2c + 1) / (2^b - 1). */
+static void depth_to_float(const struct pixel_type *type, const uint32_t *v, int n, float *out)
+{
+    const double max = type->bytes ? (double)(0xffffffffu >> (32 - 8 * type->bytes)) : 1.0;
+    for (int i = 0; i < n; i++)
+        out[i] = type->kind == COMPONENT_FLOAT    ? float_of(v[i])
+                 : type->kind == COMPONENT_SIGNED ? (float)((2.0 * signed_of(v[i], type->bytes) + 1.0) / max)
+                                                  : (float)((double)v[i] / max);
 }
 
 void fgl_unpack_depth(const struct pixel_unpack *unpack, int row, int column, int n, float *out)
 {
     const struct pixel_type *type = unpack->image.type;
+    const struct depth_steps s = depth_steps_of(type->type);
+    const bool exact = type->kind == COMPONENT_UNSIGNED && !fgl_transfer_depth_active(unpack->mode);
     uint32_t v[PIXEL_CHUNK];
     load_component(&unpack->image, row, column, n, 0, v);
-    if (type->kind == COMPONENT_UNSIGNED && type->bytes == 4)
-        for (int i = 0; i < n; i++)
-            out[i] = (float)((double)(v[i] >> 8) / 16777215.0);
-    else if (type->kind == COMPONENT_SIGNED)
-        for (int i = 0; i < n; i++)
-            out[i] = (float)(signed_depth(v[i], type->bytes));
-    else
-        convert_component(type, 0, v, n, out);
+    depth_to_float(type, v, n, out);
     fgl_transfer_depth(unpack->mode, out, n);
+    for (int i = 0; i < n && type->kind != COMPONENT_FLOAT; i++) {
+        const uint32_t whole =
+                exact ? (type->bytes == 1 ? v[i] * 65793 : v[i]) : (uint32_t)((double)out[i] * s.max);
+        out[i] = (float)(whole >> s.shift) * s.step;
+    }
 }
 
 void fgl_unpack_stencil(const struct pixel_unpack *unpack, int row, int column, int n, int32_t *out)
@@ -208,8 +231,8 @@ static void copy_bits(const struct pixel_image *image, int row, int width, uint8
     }
 }
 
-void fgl_pixel_copy(const struct pixel_store *store, GLenum format, GLenum type, int width, int height, const void *pixels,
-                    void *out)
+void fgl_pixel_copy(const struct pixel_store *store, GLenum format, GLenum type, int width, int height,
+                    const void *pixels, void *out)
 {
     const struct pixel_image from = fgl_pixel_image(store, format, type, width, pixels);
     const struct pixel_image to = fgl_pixel_image(&fgl_packed_store, format, type, width, out);

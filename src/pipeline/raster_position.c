@@ -6,7 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* OSMesa rule: raster positions are transformed by modelview and projection one after the other, each sum left to right. */
+/* OSMesa rule: raster positions are transformed by modelview and projection one after the other, each sum
+ * left to right. */
 static void transform(float out[4], const float m[16], const float v[4])
 {
     for (int r = 0; r < 4; r++)
@@ -21,7 +22,8 @@ static bool inside(const struct context *ctx, const float eye[4], const float cl
             return false;
     for (int i = 0; i < FGL_MAX_CLIP_PLANES; i++) {
         const float *p = t->clip_plane[i];
-        if ((t->clip_plane_enabled >> i & 1) && p[0] * eye[0] + p[1] * eye[1] + p[2] * eye[2] + p[3] * eye[3] < 0.0f)
+        if ((t->clip_plane_enabled >> i & 1) &&
+            p[0] * eye[0] + p[1] * eye[1] + p[2] * eye[2] + p[3] * eye[3] < 0.0f)
             return false;
     }
     return true;
@@ -56,16 +58,20 @@ static bool light(struct context *ctx, const float object[4], struct current_sta
     for (int c = 0; c < 4; c++)
         current->raster_color[c] = b->color[0].c[c][0];
     for (int c = 0; c < 3; c++)
-        current->raster_secondary_color[c] = p->plan.vertex.light.separate_specular ? b->secondary[0].c[c][0] : 0.0f;
+        current->raster_secondary_color[c] =
+                p->plan.vertex.light.separate_specular ? b->secondary[0].c[c][0] : 0.0f;
     return true;
 }
 
-/* The current values, in window position and where there is no lighting. */
-static void take_current(struct context *ctx)
+/* The current values. OSMesa rule: window positions clamp the colours. */
+static void take_current(struct context *ctx, bool clamp)
 {
     struct current_state *current = &ctx->s.current;
-    memcpy(current->raster_color, current->attr[ATTR_COLOR], sizeof current->raster_color);
-    memcpy(current->raster_secondary_color, current->attr[ATTR_SECONDARY_COLOR], sizeof current->raster_secondary_color);
+    for (int c = 0; c < 4; c++) {
+        const float color = current->attr[ATTR_COLOR][c], secondary = current->attr[ATTR_SECONDARY_COLOR][c];
+        current->raster_color[c] = clamp ? fgl_clamp01(color) : color;
+        current->raster_secondary_color[c] = clamp ? fgl_clamp01(secondary) : secondary;
+    }
     current->raster_index = current->attr[ATTR_INDEX][0];
     for (int unit = 0; unit < FGL_MAX_TEXTURE_UNITS; unit++)
         memcpy(current->raster_texture_coords[unit], current->attr[ATTR_TEX0 + unit], 4 * sizeof(float));
@@ -85,7 +91,7 @@ void fgl_raster_position_set(struct context *ctx, const float object[4])
     current->raster_distance = ctx->s.fog.fog_coord_src == GL_FOG_COORDINATE
                                        ? current->attr[ATTR_FOG_COORD][0]
                                        : sqrtf(eye[0] * eye[0] + eye[1] * eye[1] + eye[2] * eye[2]);
-    take_current(ctx);
+    take_current(ctx, false);
     if (ctx->s.lighting.lighting && ctx->framebuffer)
         light(ctx, object, current);
     for (int unit = 0; unit < FGL_MAX_TEXTURE_UNITS; unit++)
@@ -103,6 +109,7 @@ void fgl_raster_position_set_window(struct context *ctx, float x, float y, float
     current->raster_position[2] = fgl_clamp01(z) * (far - near) + near;
     current->raster_position[3] = 1.0f;
     current->raster_position_valid = true;
-    current->raster_distance = ctx->s.fog.fog_coord_src == GL_FOG_COORDINATE ? current->attr[ATTR_FOG_COORD][0] : 0.0f;
-    take_current(ctx);
+    current->raster_distance =
+            ctx->s.fog.fog_coord_src == GL_FOG_COORDINATE ? current->attr[ATTR_FOG_COORD][0] : 0.0f;
+    take_current(ctx, true);
 }
