@@ -1,5 +1,5 @@
-/* Evaluators (GL 1.5, 5.1): glEvalCoord, grids and meshes. A vertex made here goes through immediate mode as if the program had given it;
- * its other attributes are for it alone, and the current values stay. */
+/* Evaluators (GL 1.5, 5.1): glEvalCoord, grids and meshes. A vertex made here goes through immediate mode as
+ * if the program had given it; its other attributes are for it alone, and the current values stay. */
 #include "api/eval.h"
 #include "api/command.h"
 #include "api/errors.h"
@@ -122,7 +122,8 @@ static void send(struct context *ctx, struct evaluated *e)
         const int before = next_value(ctx, e->attribute[i].attr, e->attribute[i].before);
         float v[4] = {0, 0, 0, 1};
         memcpy(v, e->attribute[i].value, (size_t)e->attribute[i].size * sizeof(float));
-        e->attribute[i].size = fgl_max(e->attribute[i].size, before); /* room for what comes back afterwards */
+        e->attribute[i].size =
+                fgl_max(e->attribute[i].size, before); /* room for what comes back afterwards */
         fgl_attr_set(ctx, e->attribute[i].attr, e->attribute[i].size, v);
     }
     fgl_vertex(ctx, e->position_size, e->position);
@@ -155,7 +156,8 @@ static float step(const struct context *ctx, int dim, int direction)
 static float grid_point(const struct context *ctx, int dim, int direction, int i)
 {
     const struct eval_state *s = &ctx->s.eval;
-    return (float)i * step(ctx, dim, direction) + (dim ? s->map2_grid_domain : s->map1_grid_domain)[2 * direction];
+    return (float)i * step(ctx, dim, direction) +
+           (dim ? s->map2_grid_domain : s->map1_grid_domain)[2 * direction];
 }
 
 void fgl_exec_MapGrid1f(struct context *ctx, GLint un, GLfloat u1, GLfloat u2)
@@ -166,7 +168,8 @@ void fgl_exec_MapGrid1f(struct context *ctx, GLint un, GLfloat u1, GLfloat u2)
     SET(ctx, 0, s->map1_grid_segments, un);
 }
 
-void fgl_exec_MapGrid2f(struct context *ctx, GLint un, GLfloat u1, GLfloat u2, GLint vn, GLfloat v1, GLfloat v2)
+void fgl_exec_MapGrid2f(struct context *ctx, GLint un, GLfloat u1, GLfloat u2, GLint vn, GLfloat v1,
+                        GLfloat v2)
 {
     struct eval_state *s = &ctx->s.eval;
     RETURN_ERROR_IF(ctx, un < 1 || vn < 1, GL_INVALID_VALUE);
@@ -175,7 +178,10 @@ void fgl_exec_MapGrid2f(struct context *ctx, GLint un, GLfloat u1, GLfloat u2, G
     SET(ctx, 0, s->map2_grid_segments[1], vn);
 }
 
-void GLAPIENTRY glMapGrid1d(GLint un, GLdouble u1, GLdouble u2) { glMapGrid1f(un, (GLfloat)u1, (GLfloat)u2); }
+void GLAPIENTRY glMapGrid1d(GLint un, GLdouble u1, GLdouble u2)
+{
+    glMapGrid1f(un, (GLfloat)u1, (GLfloat)u2);
+}
 
 void GLAPIENTRY glMapGrid2d(GLint un, GLdouble u1, GLdouble u2, GLint vn, GLdouble v1, GLdouble v2)
 {
@@ -195,7 +201,8 @@ void fgl_eval_replay(struct context *ctx, void *payload)
 {
     const struct eval_node *n = payload;
     if (n->on_grid)
-        eval_coord(ctx, n->dim, grid_point(ctx, n->dim, 0, n->point[0]), n->dim ? grid_point(ctx, 1, 1, n->point[1]) : 0);
+        eval_coord(ctx, n->dim, grid_point(ctx, n->dim, 0, n->point[0]),
+                   n->dim ? grid_point(ctx, 1, 1, n->point[1]) : 0);
     else
         eval_coord(ctx, n->dim, n->coord[0], n->coord[1]);
 }
@@ -219,17 +226,36 @@ static void eval(struct eval_node node)
 }
 
 #define EVAL_COORD(T, s)                                                                                     \
-    void GLAPIENTRY glEvalCoord1##s(T u) { eval((struct eval_node){.dim = 0, .coord = {(float)u}}); }        \
-    void GLAPIENTRY glEvalCoord2##s(T u, T v) { eval((struct eval_node){.dim = 1, .coord = {(float)u, (float)v}}); } \
-    void GLAPIENTRY glEvalCoord1##s##v(const T *u) { glEvalCoord1##s(u[0]); }                                \
-    void GLAPIENTRY glEvalCoord2##s##v(const T *u) { glEvalCoord2##s(u[0], u[1]); }
+    void GLAPIENTRY glEvalCoord1##s(T u)                                                                     \
+    {                                                                                                        \
+        eval((struct eval_node){.dim = 0, .coord = {(float)u}});                                             \
+    }                                                                                                        \
+    void GLAPIENTRY glEvalCoord2##s(T u, T v)                                                                \
+    {                                                                                                        \
+        eval((struct eval_node){.dim = 1, .coord = {(float)u, (float)v}});                                   \
+    }                                                                                                        \
+    void GLAPIENTRY glEvalCoord1##s##v(const T *u)                                                           \
+    {                                                                                                        \
+        glEvalCoord1##s(u[0]);                                                                               \
+    }                                                                                                        \
+    void GLAPIENTRY glEvalCoord2##s##v(const T *u)                                                           \
+    {                                                                                                        \
+        glEvalCoord2##s(u[0], u[1]);                                                                         \
+    }
 EVAL_COORD(GLfloat, f)
 EVAL_COORD(GLdouble, d)
 
-void GLAPIENTRY glEvalPoint1(GLint i) { eval((struct eval_node){.dim = 0, .on_grid = true, .point = {i}}); }
-void GLAPIENTRY glEvalPoint2(GLint i, GLint j) { eval((struct eval_node){.dim = 1, .on_grid = true, .point = {i, j}}); }
+void GLAPIENTRY glEvalPoint1(GLint i)
+{
+    eval((struct eval_node){.dim = 0, .on_grid = true, .point = {i}});
+}
+void GLAPIENTRY glEvalPoint2(GLint i, GLint j)
+{
+    eval((struct eval_node){.dim = 1, .on_grid = true, .point = {i, j}});
+}
 
-/* ---- glEvalMesh: OSMesa rule: grid lines lie a step from each other, not each at its multiple of the step ---- */
+/* ---- glEvalMesh: OSMesa rule: grid lines lie a step from each other, not each at its multiple of the step
+ * ---- */
 
 /* The part of a grid that a mesh covers. */
 struct mesh {
@@ -250,7 +276,10 @@ static struct mesh mesh_of(struct context *ctx, int dim, const GLint first[2], c
     return m;
 }
 
-static bool has_position(unsigned maps) { return maps >> MAP_VERTEX_3 & 3; }
+static bool has_position(unsigned maps)
+{
+    return maps >> MAP_VERTEX_3 & 3;
+}
 
 void fgl_exec_EvalMesh1(struct context *ctx, GLenum mode, GLint i1, GLint i2)
 {

@@ -14,19 +14,25 @@ static const struct {
     int size;
     float initial[BEZIER_MAX_SIZE];
 } kinds[MAP_COUNT] = {
-    [MAP_COLOR_4] = {ATTR_COLOR, 4, {1, 1, 1, 1}},
-    [MAP_INDEX] = {ATTR_INDEX, 1, {1}},
-    [MAP_NORMAL] = {ATTR_NORMAL, 3, {0, 0, 1}},
-    [MAP_TEXTURE_COORD_1] = {ATTR_TEX0, 1, {0}},
-    [MAP_TEXTURE_COORD_2] = {ATTR_TEX0, 2, {0, 0}},
-    [MAP_TEXTURE_COORD_3] = {ATTR_TEX0, 3, {0, 0, 0}},
-    [MAP_TEXTURE_COORD_4] = {ATTR_TEX0, 4, {0, 0, 0, 1}},
-    [MAP_VERTEX_3] = {ATTR_POSITION, 3, {0, 0, 0}},
-    [MAP_VERTEX_4] = {ATTR_POSITION, 4, {0, 0, 0, 1}},
+        [MAP_COLOR_4] = {ATTR_COLOR, 4, {1, 1, 1, 1}},
+        [MAP_INDEX] = {ATTR_INDEX, 1, {1}},
+        [MAP_NORMAL] = {ATTR_NORMAL, 3, {0, 0, 1}},
+        [MAP_TEXTURE_COORD_1] = {ATTR_TEX0, 1, {0}},
+        [MAP_TEXTURE_COORD_2] = {ATTR_TEX0, 2, {0, 0}},
+        [MAP_TEXTURE_COORD_3] = {ATTR_TEX0, 3, {0, 0, 0}},
+        [MAP_TEXTURE_COORD_4] = {ATTR_TEX0, 4, {0, 0, 0, 1}},
+        [MAP_VERTEX_3] = {ATTR_POSITION, 3, {0, 0, 0}},
+        [MAP_VERTEX_4] = {ATTR_POSITION, 4, {0, 0, 0, 1}},
 };
 
-int fgl_map_size(int map) { return kinds[map].size; }
-enum fgl_attr fgl_map_attr(int map) { return kinds[map].attr; }
+int fgl_map_size(int map)
+{
+    return kinds[map].size;
+}
+enum fgl_attr fgl_map_attr(int map)
+{
+    return kinds[map].attr;
+}
 
 struct eval_maps *fgl_eval_maps(struct context *ctx)
 {
@@ -36,7 +42,9 @@ struct eval_maps *fgl_eval_maps(struct context *ctx)
     RETURN_VALUE_ERROR_IF(ctx, !maps, GL_OUT_OF_MEMORY, NULL);
     for (int dim = 0; dim < 2; dim++)
         for (int i = 0; i < MAP_COUNT; i++)
-            maps->map[dim][i] = (struct eval_map){.net = {kinds[i].initial, {1, 1}, kinds[i].size}, .domain = {0, 1, 0, 1}, .scale = {1, 1}};
+            maps->map[dim][i] = (struct eval_map){.net = {kinds[i].initial, {1, 1}, kinds[i].size},
+                                                  .domain = {0, 1, 0, 1},
+                                                  .scale = {1, 1}};
     return maps;
 }
 
@@ -107,7 +115,8 @@ static void fill_node(struct map_node *node, const struct map_call *c, int dim)
 void fgl_map_replay(struct context *ctx, void *payload)
 {
     const struct map_node *node = payload;
-    RETURN_ERROR_IF(ctx, ctx->begin_mode != OUTSIDE_BEGIN_END || ctx->active_texture != 0, GL_INVALID_OPERATION);
+    RETURN_ERROR_IF(ctx, ctx->begin_mode != OUTSIDE_BEGIN_END || ctx->active_texture != 0,
+                    GL_INVALID_OPERATION);
     struct eval_maps *maps = fgl_eval_maps(ctx);
     const int size = kinds[node->map].size;
     const size_t bytes = (size_t)node->order[0] * (size_t)node->order[1] * (size_t)size * sizeof(float);
@@ -137,7 +146,8 @@ static void map(int dim, const struct map_call *c)
         return;
     }
     const bool record = ctx->compiling;
-    const size_t bytes = sizeof(struct map_node) + (size_t)(c->order[0] * c->order[1] * BEZIER_MAX_SIZE) * sizeof(float);
+    const size_t bytes =
+            sizeof(struct map_node) + (size_t)(c->order[0] * c->order[1] * BEZIER_MAX_SIZE) * sizeof(float);
     struct map_node *node = record ? fgl_list_record(ctx, OP_MAP, bytes) : malloc(bytes);
     RETURN_ERROR_IF(ctx, !node, GL_OUT_OF_MEMORY);
     fill_node(node, c, dim);
@@ -147,27 +157,30 @@ static void map(int dim, const struct map_call *c)
         free(node);
 }
 
-void GLAPIENTRY glMap1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat *points)
+void GLAPIENTRY glMap1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order,
+                        const GLfloat *points)
 {
     map(0, &(struct map_call){target, {u1, u2, 0, 1}, {stride, 0}, {order, 1}, points, NULL});
 }
 
-void GLAPIENTRY glMap1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order, const GLdouble *points)
+void GLAPIENTRY glMap1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
+                        const GLdouble *points)
 {
     map(0, &(struct map_call){target, {(float)u1, (float)u2, 0, 1}, {stride, 0}, {order, 1}, NULL, points});
 }
 
-void GLAPIENTRY glMap2f(GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2, GLint vstride,
-                        GLint vorder, const GLfloat *points)
+void GLAPIENTRY glMap2f(GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1,
+                        GLfloat v2, GLint vstride, GLint vorder, const GLfloat *points)
 {
     map(1, &(struct map_call){target, {u1, u2, v1, v2}, {ustride, vstride}, {uorder, vorder}, points, NULL});
 }
 
-void GLAPIENTRY glMap2d(GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1, GLdouble v2, GLint vstride,
-                        GLint vorder, const GLdouble *points)
+void GLAPIENTRY glMap2d(GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1,
+                        GLdouble v2, GLint vstride, GLint vorder, const GLdouble *points)
 {
     const float domain[4] = {(float)u1, (float)u2, (float)v1, (float)v2};
-    struct map_call c = {.target = target, .stride = {ustride, vstride}, .order = {uorder, vorder}, .doubles = points};
+    struct map_call c = {
+            .target = target, .stride = {ustride, vstride}, .order = {uorder, vorder}, .doubles = points};
     memcpy(c.domain, domain, sizeof domain);
     map(1, &c);
 }

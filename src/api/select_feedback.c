@@ -1,5 +1,5 @@
-/* Selection and feedback (GL 1.5, 5.2 "Selection", 5.3 "Feedback"): render modes, their buffers, the name stack. What is drawn arrives
- * through pipeline/feedback.c. */
+/* Selection and feedback (GL 1.5, 5.2 "Selection", 5.3 "Feedback"): render modes, their buffers, the name
+ * stack. What is drawn arrives through pipeline/feedback.c. */
 #include "api/command.h"
 #include "api/errors.h"
 #include "pipeline/feedback.h"
@@ -14,7 +14,8 @@ static void put(struct selection_state *s, unsigned value)
         s->count++;
 }
 
-/* Window depth as an unsigned integer. OSMesa rule: times 2^32, where GL says 2^32 - 1; 1.0, which OSMesa makes 0, is the largest. */
+/* Window depth as an unsigned integer. OSMesa rule: times 2^32, where GL says 2^32 - 1; 1.0, which OSMesa
+ * makes 0, is the largest. */
 static unsigned depth_value(float z)
 {
     return z < 1.0f ? (unsigned)((double)z * 4294967296.0) : 0xffffffffu;

@@ -1,7 +1,8 @@
 /* Feedback and selection: what takes primitives from the rasterizer. See feedback.h.
  *
- * Polygons arrive, and are written, as the triangles that they are made of. All take the longer road of raster/polygon.c, which
- * chooses faces, culls, offsets and turns polygons into lines and points, and flat shading has copied the colours. */
+ * Polygons arrive, and are written, as the triangles that they are made of. All take the longer road of
+ * raster/polygon.c, which chooses faces, culls, offsets and turns polygons into lines and points, and flat
+ * shading has copied the colours. */
 #include "pipeline/feedback.h"
 #include "pipeline/pipeline.h"
 
@@ -23,7 +24,8 @@ static void values(struct feedback_state *f, const float *v, int n)
         fgl_feedback_value(f, v[i]);
 }
 
-void fgl_feedback_vertex(struct feedback_state *f, const float window[4], const float color[4], const float texture_coords[4])
+void fgl_feedback_vertex(struct feedback_state *f, const float window[4], const float color[4],
+                         const float texture_coords[4])
 {
     values(f, window, f->type == GL_2D ? 2 : f->type == GL_4D_COLOR_TEXTURE ? 4 : 3);
     if (f->type != GL_2D && f->type != GL_3D)
@@ -41,8 +43,10 @@ static bool is_somewhere(const float *v)
 static void vertex(const struct raster_plan *plan, const float *v, const float *provoking)
 {
     const struct fragment_plan *f = plan->fragment;
-    const float window[4] = {v[LANE_X], (float)plan->framebuffer_height - v[LANE_Y], v[LANE_Z], 1.0f / v[LANE_OOW]};
-    const float *given = f->color_source == COLOR_CONSTANT ? f->constant_color : (plan->flat ? provoking : v) + LANE_COLOR;
+    const float window[4] = {v[LANE_X], (float)plan->framebuffer_height - v[LANE_Y], v[LANE_Z],
+                             1.0f / v[LANE_OOW]};
+    const float *given =
+            f->color_source == COLOR_CONSTANT ? f->constant_color : (plan->flat ? provoking : v) + LANE_COLOR;
     float color[4];
     for (int i = 0; i < 4; i++)
         color[i] = fgl_clamp01(given[i]);
@@ -58,7 +62,8 @@ static void feedback_point(const struct raster_plan *plan, const float *v, float
     vertex(plan, v, v);
 }
 
-static void feedback_line(const struct raster_plan *plan, const float *v0, const float *v1, const float *provoking, int *stipple_counter)
+static void feedback_line(const struct raster_plan *plan, const float *v0, const float *v1,
+                          const float *provoking, int *stipple_counter)
 {
     if (!is_somewhere(v0) || !is_somewhere(v1))
         return;
@@ -68,7 +73,8 @@ static void feedback_line(const struct raster_plan *plan, const float *v0, const
     vertex(plan, v1, provoking);
 }
 
-static void feedback_triangle(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2, const float *provoking)
+static void feedback_triangle(const struct raster_plan *plan, const float *v0, const float *v1,
+                              const float *v2, const float *provoking)
 {
     const float *const v[3] = {v0, v1, v2};
     if (!is_somewhere(v0) || !is_somewhere(v1) || !is_somewhere(v2))
@@ -85,7 +91,8 @@ void fgl_feedback_raster_position(struct context *ctx, GLenum token)
     if (!current->raster_position_valid)
         return;
     fgl_feedback_value(&ctx->feedback, (float)token);
-    fgl_feedback_vertex(&ctx->feedback, current->raster_position, current->raster_color, current->raster_texture_coords[0]);
+    fgl_feedback_vertex(&ctx->feedback, current->raster_position, current->raster_color,
+                        current->raster_texture_coords[0]);
 }
 
 /* ---- selection (GL 1.5, 5.2) ---- */
@@ -109,14 +116,16 @@ static void select_point(const struct raster_plan *plan, const float *v, float s
     hit(plan, v);
 }
 
-static void select_line(const struct raster_plan *plan, const float *v0, const float *v1, const float *provoking, int *stipple_counter)
+static void select_line(const struct raster_plan *plan, const float *v0, const float *v1,
+                        const float *provoking, int *stipple_counter)
 {
     (void)provoking, (void)stipple_counter;
     hit(plan, v0);
     hit(plan, v1);
 }
 
-static void select_triangle(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2, const float *provoking)
+static void select_triangle(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2,
+                            const float *provoking)
 {
     (void)provoking;
     hit(plan, v0);
@@ -165,6 +174,7 @@ void fgl_feedback_emit(const struct plan *plan, const struct vertex_batch *b, fl
         for (int c = 0; c < 4; c++)
             t[c] = varying ? b->in[ATTR_TEX0].c[c][i] : constant[c];
         for (int row = 0; row < 4; row++)
-            record[LANE_TEX0 + row] = t[0] * m[row] + t[1] * m[4 + row] + t[2] * m[8 + row] + t[3] * m[12 + row];
+            record[LANE_TEX0 + row] =
+                    t[0] * m[row] + t[1] * m[4 + row] + t[2] * m[8 + row] + t[3] * m[12 + row];
     }
 }

@@ -1,6 +1,6 @@
-/* Feedback and selection (GL 1.5, 5.2 "Selection", 5.3 "Feedback"): in these render modes primitives, clipped and culled, go into the
- * program's buffers in place of the framebuffer. Validation puts the functions of this file where the rasterizer's stand; a plan
- * made in GL_RENDER mode knows nothing of them. */
+/* Feedback and selection (GL 1.5, 5.2 "Selection", 5.3 "Feedback"): in these render modes primitives, clipped
+ * and culled, go into the program's buffers in place of the framebuffer. Validation puts the functions of
+ * this file where the rasterizer's stand; a plan made in GL_RENDER mode knows nothing of them. */
 #ifndef FGL_PIPELINE_FEEDBACK_H
 #define FGL_PIPELINE_FEEDBACK_H
 
@@ -25,9 +25,11 @@ void fgl_feedback_emit(const struct plan *plan, const struct vertex_batch *batch
 void fgl_feedback_value(struct feedback_state *f, float value);
 
 /* A vertex, as much of it as the buffer's type asks for. window: y up; w is w_clip. */
-void fgl_feedback_vertex(struct feedback_state *f, const float window[4], const float color[4], const float texture_coords[4]);
+void fgl_feedback_vertex(struct feedback_state *f, const float window[4], const float color[4],
+                         const float texture_coords[4]);
 
-/* What glBitmap, glDrawPixels and glCopyPixels do in GL_FEEDBACK mode in place of drawing: their token and the raster position, if valid. */
+/* What glBitmap, glDrawPixels and glCopyPixels do in GL_FEEDBACK mode in place of drawing: their token and
+ * the raster position, if valid. */
 void fgl_feedback_raster_position(struct context *ctx, GLenum token);
 
 /* Something at window depth z, 0..1, is drawn while selecting; also a valid glRasterPos. */

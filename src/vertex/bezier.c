@@ -3,8 +3,9 @@
 
 #include <string.h>
 
-/* Horner's scheme for  sum of B_i(t) p_i,  B_i the Bernstein polynomials of degree n - 1: the power of 1 - t is multiplied in step by
- * step, that of t and the binomial coefficient run along. Control point i stands at p + i * stride. */
+/* Horner's scheme for  sum of B_i(t) p_i,  B_i the Bernstein polynomials of degree n - 1: the power of 1 - t
+ * is multiplied in step by step, that of t and the binomial coefficient run along. Control point i stands at
+ * p + i * stride. */
 static void curve(const float *p, int stride, int n, int size, float t, float *point)
 {
     memcpy(point, p, (size_t)size * sizeof *point);
@@ -29,7 +30,8 @@ void fgl_bezier_curve(const struct bezier_net *net, float t, float *point)
     curve(net->points, net->size, net->order[0], net->size, t, point);
 }
 
-/* OSMesa rule: first along the direction of lower order, the first one only if it is strictly lower; then along the curve that this gives. */
+/* OSMesa rule: first along the direction of lower order, the first one only if it is strictly lower; then
+ * along the curve that this gives. */
 void fgl_bezier_surface(const struct bezier_net *net, float u, float v, float *point)
 {
     const int nu = net->order[0], nv = net->order[1], size = net->size, row = nv * size;
@@ -53,7 +55,10 @@ struct scheme {
     int n[2];
 };
 
-static float mix(float a, float b, float t) { return (1.0f - t) * a + t * b; }
+static float mix(float a, float b, float t)
+{
+    return (1.0f - t) * a + t * b;
+}
 
 /* One order less in both directions. */
 static void step_both(struct scheme *s, float u, float v)
@@ -127,8 +132,9 @@ void fgl_bezier_tangents(const struct bezier_net *net, float u, float v, float *
         load(&s, net, k);
         while (s.n[0] > 2 && s.n[1] > 2)
             step_both(&s, u, v);
-        const struct ending e = s.n[0] == s.n[1] ? end_square(&s, u, v)
-                                : s.n[0] < s.n[1] ? end_strip(&s, 0, u, v) : end_strip(&s, 1, v, u);
+        const struct ending e = s.n[0] == s.n[1]  ? end_square(&s, u, v)
+                                : s.n[0] < s.n[1] ? end_strip(&s, 0, u, v)
+                                                  : end_strip(&s, 1, v, u);
         point[k] = e.value;
         du[k] = e.d[0];
         dv[k] = e.d[1];

@@ -72,6 +72,8 @@ static void change_everything(void)
     set_colors_and_lights();
     set_rasterization();
     set_fragments();
+    glMapGrid1f(7, 2, 3);
+    glMapGrid2f(5, -1, 2, 6, 3, 2);
     for (int i = 0; i < SPEC_VALUES; i++) {
         if (!(spec_state[i].groups & GL_ENABLE_BIT))
             continue;

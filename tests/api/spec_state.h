@@ -193,6 +193,10 @@ static const struct spec_value spec_state[] = {
         CAP(GL_MAP2_COLOR_4, GL_EVAL_BIT, 0),
         CAP(GL_MAP2_VERTEX_4, GL_EVAL_BIT, 0),
         CAP(GL_AUTO_NORMAL, GL_EVAL_BIT, 0),
+        V(GL_MAP1_GRID_DOMAIN, GL_EVAL_BIT, 2, 0, 1),
+        V(GL_MAP2_GRID_DOMAIN, GL_EVAL_BIT, 4, 0, 1, 0, 1),
+        V(GL_MAP1_GRID_SEGMENTS, GL_EVAL_BIT, 1, 1),
+        V(GL_MAP2_GRID_SEGMENTS, GL_EVAL_BIT, 2, 1, 1),
 
         HINT(GL_PERSPECTIVE_CORRECTION_HINT),
         HINT(GL_POINT_SMOOTH_HINT),
@@ -242,6 +246,10 @@ static const struct spec_value spec_state[] = {
         V(GL_LIST_INDEX, 0, 1, 0),
         V(GL_LIST_MODE, 0, 1, 0),
         V(GL_RENDER_MODE, 0, 1, GL_RENDER),
+        V(GL_NAME_STACK_DEPTH, 0, 1, 0),
+        V(GL_SELECTION_BUFFER_SIZE, 0, 1, 0),
+        V(GL_FEEDBACK_BUFFER_SIZE, 0, 1, 0),
+        V(GL_FEEDBACK_BUFFER_TYPE, 0, 1, GL_2D),
         V(GL_ATTRIB_STACK_DEPTH, 0, 1, 0),
         V(GL_CLIENT_ATTRIB_STACK_DEPTH, 0, 1, 0),
 };
