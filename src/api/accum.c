@@ -20,6 +20,8 @@ void fgl_exec_Accum(struct context *ctx, GLenum op, GLfloat value)
     struct framebuffer *fb = ctx->framebuffer;
     RETURN_ERROR_IF(ctx, !fb || !fb->accum_bits, GL_INVALID_OPERATION);
     fgl_flush_vertices(ctx, 0);
+    if (ctx->render_mode != GL_RENDER)
+        return;
     RETURN_ERROR_IF(ctx, !fgl_framebuffer_need_accum(fb), GL_OUT_OF_MEMORY);
     const struct rect r = fgl_raster_bounds(&ctx->s.scissor, fb);
     switch (op) {

@@ -4,13 +4,15 @@
 #include "api/pixel_image.h"
 #include "api/set.h"
 #include "framebuffer/pixel_unpack.h"
+#include "pipeline/feedback.h"
 #include "pipeline/pixels.h"
 
 #include <math.h>
 #include <string.h>
 
 /* The bits of a row as runs of fragments. column0: window x of the first bit. */
-static void draw_row(const struct pixel_draw *draw, const struct pixel_image *image, int row, int y, int column0, int width)
+static void draw_row(const struct pixel_draw *draw, const struct pixel_image *image, int row, int y,
+                     int column0, int width)
 {
     const int x0 = fgl_max(draw->bounds.x0, column0), x1 = fgl_min(draw->bounds.x1, column0 + width);
     uint8_t bits[PIXEL_CHUNK];
@@ -42,9 +44,11 @@ void fgl_bitmap(struct context *ctx, int width, int height, const float origin[2
     fgl_flush_vertices(ctx, 0);
     if (!current->raster_position_valid)
         return;
-    if (ctx->framebuffer && width > 0 && height > 0 && bits) {
+    fgl_feedback_raster_position(ctx, GL_BITMAP_TOKEN);
+    if (ctx->render_mode == GL_RENDER && ctx->framebuffer && width > 0 && height > 0 && bits) {
         const struct pixel_image image = fgl_pixel_image(store, GL_COLOR_INDEX, GL_BITMAP, width, bits);
-        const int x = corner(current->raster_position[0], origin[0]), y = corner(current->raster_position[1], origin[1]);
+        const int x = corner(current->raster_position[0], origin[0]),
+                  y = corner(current->raster_position[1], origin[1]);
         struct pixel_draw draw;
         fgl_pixels_begin(ctx, PIXELS_BITMAP, &draw);
         for (int row = 0; row < height; row++) {
@@ -82,8 +86,8 @@ void fgl_list_replay_bitmap(struct context *ctx, const void *payload)
     fgl_bitmap(ctx, n->width, n->height, n->origin, n->move, &fgl_packed_store, n->bits);
 }
 
-void GLAPIENTRY glBitmap(GLsizei width, GLsizei height, GLfloat xorig, GLfloat yorig, GLfloat xmove, GLfloat ymove,
-                         const GLubyte *bitmap)
+void GLAPIENTRY glBitmap(GLsizei width, GLsizei height, GLfloat xorig, GLfloat yorig, GLfloat xmove,
+                         GLfloat ymove, const GLubyte *bitmap)
 {
     struct context *ctx = fgl_current;
     if (!ctx)

@@ -1,10 +1,12 @@
-/* glDrawPixels, glCopyPixels, glPixelZoom (GL 1.5, 3.6.4 "Rasterization of Pixel Rectangles", 4.3.3 "Copying Pixels"). */
+/* glDrawPixels, glCopyPixels, glPixelZoom (GL 1.5, 3.6.4 "Rasterization of Pixel Rectangles", 4.3.3 "Copying
+ * Pixels"). */
 #include "api/command.h"
 #include "api/list.h"
 #include "api/pixel_image.h"
 #include "api/set.h"
 #include "framebuffer/pixel_pack.h"
 #include "framebuffer/pixel_unpack.h"
+#include "pipeline/feedback.h"
 #include "pipeline/pixels.h"
 #include "raster/zoom.h"
 
@@ -12,16 +14,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A pixel rectangle on its way to the framebuffer. Rows are unpacked whole; columns of the window choose from them. */
+/* A pixel rectangle on its way to the framebuffer. Rows are unpacked whole; columns of the window choose from
+ * them. */
 struct rectangle {
     struct pixel_unpack unpack;
     struct zoom zoom;
     struct pixel_draw draw;
-    struct rect area;   /* window pixels that it covers and may draw */
-    int planes;         /* floats of a pixel: 4 colour, 1 depth */
-    int first, columns; /* the image's columns that are seen */
-    int row;            /* of the image, in `source`; -1: none yet */
-    int *column;        /* by window x: which of the columns */
+    struct rect area;            /* window pixels that it covers and may draw */
+    int planes;                  /* floats of a pixel: 4 colour, 1 depth */
+    int first, columns;          /* the image's columns that are seen */
+    int row;                     /* of the image, in `source`; -1: none yet */
+    int *column;                 /* by window x: which of the columns */
     float *source[4], *shown[4]; /* the image's row; by window x */
 };
 
@@ -33,8 +36,8 @@ static int round_position(float v)
     return (int)(c < 0.0f ? c - 0.5f : c + 0.5f);
 }
 
-static bool place(const struct context *ctx, int width, int height, const struct rect *bounds, struct zoom *zoom,
-                  struct rect *area)
+static bool place(const struct context *ctx, int width, int height, const struct rect *bounds,
+                  struct zoom *zoom, struct rect *area)
 {
     const struct framebuffer *fb = ctx->framebuffer;
     const float *position = ctx->s.current.raster_position;
@@ -57,7 +60,8 @@ static bool choose_columns(struct rectangle *r, int stride)
     r->columns = fgl_max(a, b) - r->first + 1;
     r->row = -1;
     r->column = malloc((size_t)stride * sizeof *r->column);
-    float *room = calloc((size_t)r->planes * ((size_t)r->columns + PIXEL_CHUNK + (size_t)stride), sizeof *room);
+    float *room =
+            calloc((size_t)r->planes * ((size_t)r->columns + PIXEL_CHUNK + (size_t)stride), sizeof *room);
     if (!r->column || !room) {
         free(r->column);
         free(room);
@@ -99,7 +103,8 @@ static void show_row(struct rectangle *r, int row)
     r->row = row;
 }
 
-/* Where the row passes from one triangle into the other: the first pixel that is not in the triangle of pixel x0. */
+/* Where the row passes from one triangle into the other: the first pixel that is not in the triangle of pixel
+ * x0. */
 static int triangle_end(const struct rectangle *r, int y)
 {
     const bool first = fgl_zoom_in_first(&r->zoom, r->area.x0, y);
@@ -174,12 +179,14 @@ static void draw_stencil(struct context *ctx, int width, int height, const struc
 static GLenum buffer_error(const struct context *ctx, GLenum format)
 {
     const struct framebuffer *fb = ctx->framebuffer;
-    if (fb && ((format == GL_DEPTH_COMPONENT && !fb->depth_bits) || (format == GL_STENCIL_INDEX && !fb->stencil_bits)))
+    if (fb && ((format == GL_DEPTH_COMPONENT && !fb->depth_bits) ||
+               (format == GL_STENCIL_INDEX && !fb->stencil_bits)))
         return GL_INVALID_OPERATION;
     return GL_NO_ERROR;
 }
 
-static GLenum draw_pixels_error(const struct context *ctx, GLsizei width, GLsizei height, GLenum format, GLenum type)
+static GLenum draw_pixels_error(const struct context *ctx, GLsizei width, GLsizei height, GLenum format,
+                                GLenum type)
 {
     if (width < 0 || height < 0)
         return GL_INVALID_VALUE;
@@ -192,6 +199,9 @@ void fgl_draw_pixels(struct context *ctx, int width, int height, GLenum format, 
 {
     fgl_flush_vertices(ctx, 0);
     if (!ctx->framebuffer || !ctx->s.current.raster_position_valid || width == 0 || height == 0)
+        return;
+    fgl_feedback_raster_position(ctx, GL_DRAW_PIXEL_TOKEN);
+    if (ctx->render_mode != GL_RENDER)
         return;
     const struct pixel_unpack unpack = {
             .image = fgl_pixel_image(store, format, type, width, pixels),
@@ -210,7 +220,8 @@ struct image_node {
     max_align_t pixels[]; /* packed tightly */
 };
 
-static void record(struct context *ctx, GLsizei width, GLsizei height, GLenum format, GLenum type, const GLvoid *pixels)
+static void record(struct context *ctx, GLsizei width, GLsizei height, GLenum format, GLenum type,
+                   const GLvoid *pixels)
 {
     const size_t bytes = fgl_pixel_image_bytes(&fgl_packed_store, format, type, width, height);
     struct image_node *node = fgl_list_record(ctx, OP_DRAW_PIXELS, sizeof *node + bytes);
@@ -264,11 +275,14 @@ static GLenum copied_type(const struct framebuffer *fb, GLenum type)
         return GL_UNSIGNED_BYTE;
     if (type == GL_DEPTH)
         return GL_UNSIGNED_INT;
-    return fb->color_kind == COLOR_FLOAT ? GL_FLOAT : fb->color_kind == COLOR_UNORM16 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE;
+    return fb->color_kind == COLOR_FLOAT     ? GL_FLOAT
+           : fb->color_kind == COLOR_UNORM16 ? GL_UNSIGNED_SHORT
+                                             : GL_UNSIGNED_BYTE;
 }
 
 /* The rectangle into new memory; what lies outside of the framebuffer is 0. NULL when memory is short. */
-static void *read_rectangle(const struct context *ctx, int x, int y, int width, int height, GLenum format, GLenum type)
+static void *read_rectangle(const struct context *ctx, int x, int y, int width, int height, GLenum format,
+                            GLenum type)
 {
     static const struct pixel_mode_state no_transfer = {.scale = {1, 1, 1, 1}, .depth_scale = 1};
     const struct framebuffer *fb = ctx->framebuffer;
@@ -294,6 +308,9 @@ void fgl_exec_CopyPixels(struct context *ctx, GLint x, GLint y, GLsizei width, G
     RETURN_ERROR_IF(ctx, type == GL_COLOR && ctx->s.pixel_mode.read_buffer == GL_NONE, GL_INVALID_OPERATION);
     fgl_flush_vertices(ctx, 0);
     if (!ctx->framebuffer || !ctx->s.current.raster_position_valid || width == 0 || height == 0)
+        return;
+    fgl_feedback_raster_position(ctx, GL_COPY_PIXEL_TOKEN);
+    if (ctx->render_mode != GL_RENDER)
         return;
     const GLenum component = copied_type(ctx->framebuffer, type);
     void *pixels = read_rectangle(ctx, x, y, width, height, format, component);

@@ -1,7 +1,15 @@
 /* glRasterPos and glWindowPos (GL 1.5, 2.13 "Current Raster Position"): every form leads to one of two. */
 #include "api/command.h"
 #include "api/errors.h"
+#include "pipeline/feedback.h"
 #include "pipeline/raster_position.h"
+
+/* GL 1.5, 5.2: while selecting, a valid raster position is a hit. */
+static void select_position(struct context *ctx)
+{
+    if (ctx->render_mode == GL_SELECT && ctx->s.current.raster_position_valid)
+        fgl_selection_hit(&ctx->selection, ctx->s.current.raster_position[2]);
+}
 
 void fgl_exec_RasterPos4f(struct context *ctx, GLfloat x, GLfloat y, GLfloat z, GLfloat w)
 {
@@ -9,6 +17,7 @@ void fgl_exec_RasterPos4f(struct context *ctx, GLfloat x, GLfloat y, GLfloat z, 
     fgl_flush_vertices(ctx, 0);
     fgl_flush_current(ctx);
     fgl_raster_position_set(ctx, object);
+    select_position(ctx);
 }
 
 void fgl_exec_WindowPos3f(struct context *ctx, GLfloat x, GLfloat y, GLfloat z)
@@ -16,6 +25,7 @@ void fgl_exec_WindowPos3f(struct context *ctx, GLfloat x, GLfloat y, GLfloat z)
     fgl_flush_vertices(ctx, 0);
     fgl_flush_current(ctx);
     fgl_raster_position_set_window(ctx, x, y, z);
+    select_position(ctx);
 }
 
 #define RASTER_POS(suffix, T)                                                                                \

@@ -88,7 +88,7 @@ static void feedback_triangle(const struct raster_plan *plan, const float *v0, c
 void fgl_feedback_raster_position(struct context *ctx, GLenum token)
 {
     const struct current_state *current = &ctx->s.current;
-    if (!current->raster_position_valid)
+    if (ctx->render_mode != GL_FEEDBACK || !current->raster_position_valid)
         return;
     fgl_feedback_value(&ctx->feedback, (float)token);
     fgl_feedback_vertex(&ctx->feedback, current->raster_position, current->raster_color,

@@ -251,6 +251,23 @@ static void pass_through(void **state)
     EXPECT_BUFFER(GL_PASS_THROUGH_TOKEN, 3);
 }
 
+static void raster_position(void **state)
+{
+    (void)state;
+    const GLubyte bits[4] = {0};
+    glColor4f(0.25f, 0.5f, 0.75f, 1);
+    begin(GL_3D_COLOR);
+    glRasterPos3f(16, 32, 0.5f);
+    glBitmap(1, 1, 0, 0, 2, 3, bits);
+    glDrawPixels(1, 1, GL_RGBA, GL_UNSIGNED_BYTE, bits);
+    glCopyPixels(0, 0, 1, 1, GL_COLOR);
+    glRasterPos2f(99, 32); /* outside: not valid */
+    glBitmap(1, 1, 0, 0, 2, 3, bits);
+    glDrawPixels(1, 1, GL_RGBA, GL_UNSIGNED_BYTE, bits);
+    EXPECT_BUFFER(GL_BITMAP_TOKEN, 16, 32, 0.5f, 0.25f, 0.5f, 0.75f, 1, GL_DRAW_PIXEL_TOKEN, 18, 35, 0.5f,
+                  0.25f, 0.5f, 0.75f, 1, GL_COPY_PIXEL_TOKEN, 18, 35, 0.5f, 0.25f, 0.5f, 0.75f, 1);
+}
+
 /* Scissor and draw buffer do not matter; nothing is drawn or cleared. */
 static void framebuffer(void **state)
 {
@@ -334,6 +351,7 @@ int main(void)
             FEEDBACK_TEST(pass_through),
             FEEDBACK_TEST(framebuffer),
             FEEDBACK_TEST(overflow),
+            FEEDBACK_TEST(raster_position),
             FEEDBACK_TEST(errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

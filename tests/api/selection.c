@@ -127,6 +127,19 @@ static void what_is_hit(void **state)
     assert_int_equal(glRenderMode(GL_RENDER), 0);
 }
 
+static void raster_position(void **state)
+{
+    (void)state;
+    begin();
+    glPushName(1);
+    glRasterPos3f(16, 32, 0.25f);
+    glBitmap(0, 0, 0, 0, 1, 1, NULL); /* hits nothing */
+    glLoadName(2);
+    glRasterPos2f(99, 32); /* not valid */
+    glBitmap(0, 0, 0, 0, 1, 1, NULL);
+    EXPECT_HITS(1, 1, QUARTER, QUARTER, 1);
+}
+
 static void name_stack(void **state)
 {
     (void)state;
@@ -214,8 +227,9 @@ static void errors(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-            SELECT_TEST(records), SELECT_TEST(depth),    SELECT_TEST(what_is_hit), SELECT_TEST(name_stack),
-            SELECT_TEST(lists),   SELECT_TEST(overflow), SELECT_TEST(errors),
+            SELECT_TEST(records),         SELECT_TEST(depth),  SELECT_TEST(what_is_hit),
+            SELECT_TEST(name_stack),      SELECT_TEST(lists),  SELECT_TEST(overflow),
+            SELECT_TEST(raster_position), SELECT_TEST(errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
