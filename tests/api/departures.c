@@ -73,6 +73,30 @@ static void tracked_materials_follow_a_restored_color(void **state)
         EXPECT_MATERIAL(GL_FRONT, GL_DIFFUSE, 0, 1, 0, 1);
 }
 
+/* GL 1.5, 2.6.2: edge flags are part of the vertices of a list. OSMesa draws no edges after the list was drawn filled. */
+static void edges_show_after_filling(void **state)
+{
+    (void)state;
+    glNewList(1, GL_COMPILE);
+    glBegin(GL_TRIANGLES);
+    glEdgeFlag(GL_TRUE);
+    glVertex2f(-1, -1);
+    glVertex2f(1, -1);
+    glVertex2f(-1, 1);
+    glEnd();
+    glEndList();
+    glCallList(1);
+    glFinish();
+    glClear(GL_COLOR_BUFFER_BIT);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+    glCallList(1);
+    glFinish();
+    bool drawn = false;
+    for (int i = 0; i < TEST_SIZE * TEST_SIZE; i++)
+        drawn = drawn || picture[4 * i];
+    assert_int_equal(drawn, on_fixedgl());
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -80,6 +104,7 @@ int main(void)
             GL_TEST(pop_restores_an_unused_material),
             GL_TEST(pop_restores_what_changed_inside_an_inner_push),
             GL_TEST(tracked_materials_follow_a_restored_color),
+            GL_TEST(edges_show_after_filling),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
