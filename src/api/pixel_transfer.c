@@ -1,4 +1,5 @@
-/* Pixel transfer modes and pixel maps (GL 1.5, 3.6.3 "Pixel Transfer Modes"; queries 6.1.3 "Enumerated Queries"). */
+/* Pixel transfer modes and pixel maps (GL 1.5, 3.6.3 "Pixel Transfer Modes"; queries 6.1.3 "Enumerated
+ * Queries"). */
 #include "api/command.h"
 #include "api/convert.h"
 #include "api/set.h"
@@ -68,7 +69,8 @@ void fgl_exec_PixelMapfv(struct context *ctx, GLenum map, GLsizei mapsize, const
 {
     const unsigned number = map - GL_PIXEL_MAP_I_TO_I;
     RETURN_ERROR_IF(ctx, mapsize < 1 || mapsize > FGL_MAX_PIXEL_MAP, GL_INVALID_VALUE);
-    RETURN_ERROR_IF(ctx, number < PIXEL_MAP_COUNT && is_index_map(number) && (mapsize & (mapsize - 1)), GL_INVALID_VALUE);
+    RETURN_ERROR_IF(ctx, number < PIXEL_MAP_COUNT && is_index_map(number) && (mapsize & (mapsize - 1)),
+                    GL_INVALID_VALUE);
     RETURN_ERROR_IF(ctx, number >= PIXEL_MAP_COUNT, GL_INVALID_ENUM);
     fgl_flush_vertices(ctx, 0);
     struct pixel_map *m = &ctx->pixel_map[number];

@@ -56,11 +56,6 @@ const struct pixel_type *fgl_pixel_type(GLenum type);
  *   GL_INVALID_OPERATION  a packed type whose fields are not the format's components */
 GLenum fgl_pixel_check(GLenum format, GLenum type);
 
-static inline bool fgl_pixel_is_color(const struct pixel_format *f)
-{
-    return f->channel[0] <= CHANNEL_LUMINANCE;
-}
-
 /* An image in the caller's memory under a pixel store state. */
 struct pixel_image {
     const struct pixel_format *format;

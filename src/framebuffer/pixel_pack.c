@@ -320,37 +320,58 @@ static void store_row(const struct pixel_image *image, int row, int column, int 
         fgl_swap_bytes(start, (size_t)n * (size_t)elements, type->bytes);
 }
 
-/* ---- the commonest case ---- */
+/* ---- the commonest case: bytes of an 8-bit buffer ---- */
 
-/* Four bytes a pixel in the order of an 8-bit buffer, or with red and blue exchanged. Returns whether it was
- * that. */
-static bool copy_row(const struct pixel_pack *pack, const struct framebuffer *fb, int x, int y, int n,
+static bool is_plain_bytes(const struct pixel_pack *pack, const struct framebuffer *fb)
+{
+    return fb->color_kind == COLOR_UNORM8 && pack->image.type->type == GL_UNSIGNED_BYTE &&
+           pack->image.format->channel[0] <= CHANNEL_ALPHA && !fgl_transfer_color_active(pack->mode);
+}
+
+/* n is the number of components; shift[c] is where the byte of component c lies in a pixel of the buffer. */
+static FGL_ALWAYS_INLINE void copy_bytes(uint8_t *FGL_RESTRICT out, const uint32_t *FGL_RESTRICT pixel,
+                                         uint32_t alpha, int count, const int n, const int *shift)
+{
+    for (int i = 0; i < count; i++)
+        for (int c = 0; c < n; c++)
+            out[n * i + c] = (uint8_t)((pixel[i] | alpha) >> shift[c]);
+}
+
+/* Whether the bytes of a pixel lie in memory as red, green, blue, alpha. */
+static bool is_little_endian(void)
+{
+    const uint32_t one = 1;
+    return *(const uint8_t *)&one == 1;
+}
+
+static void copy_row(const struct pixel_pack *pack, const struct framebuffer *fb, int x, int y, int n,
                      int row, int column)
 {
+    static const int rgba[4] = {0, 8, 16, 24}, bgra[4] = {16, 8, 0, 24};
     const struct pixel_image *image = &pack->image;
-    const GLenum format = image->format->format;
-    if (fb->color_kind != COLOR_UNORM8 || image->type->type != GL_UNSIGNED_BYTE ||
-        (format != GL_RGBA && format != GL_BGRA) || fgl_transfer_color_active(pack->mode))
-        return false;
     const uint32_t *pixel = (const uint32_t *)fb->color + (size_t)y * (size_t)fb->stride + x;
     const uint32_t alpha = fb->has_alpha ? 0 : 0xff000000u;
-    uint8_t *out = fgl_pixel_row(image, row) + 4 * (size_t)column;
-    const int red = format == GL_RGBA ? 0 : 2;
-    for (int i = 0; i < n; i++) {
-        const uint32_t v = pixel[i] | alpha;
-        out[4 * i + red] = (uint8_t)v;
-        out[4 * i + 1] = (uint8_t)(v >> 8);
-        out[4 * i + 2 - red] = (uint8_t)(v >> 16);
-        out[4 * i + 3] = (uint8_t)(v >> 24);
+    uint8_t *out = fgl_pixel_row(image, row) + (size_t)column * image->pixel_bytes;
+    if (image->format->format == GL_RGBA && fb->has_alpha && is_little_endian()) {
+        memcpy(out, pixel, 4 * (size_t)n);
+        return;
     }
-    return true;
+    switch (image->format->format) {
+    case GL_RGBA: copy_bytes(out, pixel, alpha, n, 4, rgba); break;
+    case GL_BGRA: copy_bytes(out, pixel, alpha, n, 4, bgra); break;
+    case GL_RGB: copy_bytes(out, pixel, alpha, n, 3, rgba); break;
+    case GL_BGR: copy_bytes(out, pixel, alpha, n, 3, bgra); break;
+    default: copy_bytes(out, pixel, alpha, n, 1, &rgba[image->format->channel[0]]); break;
+    }
 }
 
 void fgl_pack_row(const struct pixel_pack *pack, const struct framebuffer *fb, int x, int y, int n, int row,
                   int column)
 {
-    if (fgl_pixel_is_color(pack->image.format) && copy_row(pack, fb, x, y, n, row, column))
+    if (is_plain_bytes(pack, fb)) {
+        copy_row(pack, fb, x, y, n, row, column);
         return;
+    }
     struct component_row components;
     for (int done = 0; done < n; done += PIXEL_CHUNK) {
         const int count = fgl_min(PIXEL_CHUNK, n - done);

@@ -10,8 +10,8 @@ static void set_constant(struct planes *p, int lane, float value)
     p->dadx[lane] = p->dady[lane] = 0.0f;
 }
 
-/* OSMesa rules: z goes through clip space; pixel rectangles have the fog coordinate 0, and no secondary colour; the raster colours are
- * clamped. */
+/* OSMesa rules: z goes through clip space; pixel rectangles have the fog coordinate 0, and no secondary
+ * colour; the raster colours are clamped. */
 static void set_planes(struct planes *p, const struct current_state *current)
 {
     const float clip_z = current->raster_position[2] * 2.0f - 1.0f;
@@ -25,7 +25,8 @@ static void set_planes(struct planes *p, const struct current_state *current)
 /* GL 1.5, 3.9 "Color Sum". */
 static bool color_sum(const struct server_state *s)
 {
-    return s->lighting.lighting ? s->lighting.light_model_color_control == GL_SEPARATE_SPECULAR_COLOR : s->fog.color_sum;
+    return s->lighting.lighting ? s->lighting.light_model_color_control == GL_SEPARATE_SPECULAR_COLOR
+                                : s->fog.color_sum;
 }
 
 void fgl_pixels_begin(struct context *ctx, enum pixel_kind kind, struct pixel_draw *draw)

@@ -24,13 +24,16 @@ static int clamp_to_int(double v, int limit)
 /* OSMesa rule: left and lower edges own the pixel centres on them. */
 static struct rect coverage(const double x[2], const double y[2], int fb_width, int fb_height)
 {
-    const double left = fmin(x[0], x[1]), right = fmax(x[0], x[1]), top = fmin(y[0], y[1]), bottom = fmax(y[0], y[1]);
-    return (struct rect){clamp_to_int(ceil(left / 256.0), fb_width), clamp_to_int(floor(top / 256.0) + 1.0, fb_height),
-                         clamp_to_int(ceil(right / 256.0), fb_width), clamp_to_int(floor(bottom / 256.0) + 1.0, fb_height)};
+    const double left = fmin(x[0], x[1]), right = fmax(x[0], x[1]), top = fmin(y[0], y[1]),
+                 bottom = fmax(y[0], y[1]);
+    return (struct rect){clamp_to_int(ceil(left / 256.0), fb_width),
+                         clamp_to_int(floor(top / 256.0) + 1.0, fb_height),
+                         clamp_to_int(ceil(right / 256.0), fb_width),
+                         clamp_to_int(floor(bottom / 256.0) + 1.0, fb_height)};
 }
 
-void fgl_zoom_setup(struct zoom *z, int x, int y, int width, int height, float zoom_x, float zoom_y, int fb_width,
-                    int fb_height)
+void fgl_zoom_setup(struct zoom *z, int x, int y, int width, int height, float zoom_x, float zoom_y,
+                    int fb_width, int fb_height)
 {
     const float w = (float)fb_width, h = (float)fb_height;
     const float x0 = through_clip((float)x, w, w * 0.5f);
@@ -46,7 +49,8 @@ void fgl_zoom_setup(struct zoom *z, int x, int y, int width, int height, float z
     z->b = sx[0] - sx[1];
     z->c = z->a * sx[0] - z->b * sy[1] + (z->a < 0.0 || (z->a == 0.0 && z->b < 0.0) ? 1.0 : 0.0);
 
-    /* OSMesa rule: a clockwise triangle's first two vertices are exchanged, and coordinates are anchored at the first. */
+    /* OSMesa rule: a clockwise triangle's first two vertices are exchanged, and coordinates are anchored at
+     * the first. */
     const float ooa = 1.0f / ((x1 - x0) * (y0 - y1));
     z->sx = (y0 - y1) * ooa;
     z->ty = -((x1 - x0) * ooa);
