@@ -148,13 +148,13 @@ static bool any_outside(const struct assembly *as, int start, int end)
 }
 
 /* OSMesa rule: which half of a quad comes first, which shows where the halves overlap, depends on whether a vertex of the segment has to be
- * clipped. */
+ * clipped, or all are decomposed. */
 static void quad_strip(const struct assembly *as, int n)
 {
     n -= n % 2;
     for (int start = 0; start + 3 < n; start += FGL_BATCH_SIZE - 2) {
         const int end = fgl_min(n, start + FGL_BATCH_SIZE);
-        const bool simple = as->p->plan.polygon_fill && !any_outside(as, start, end);
+        const bool simple = !as->p->plan.decomposed && !any_outside(as, start, end);
         for (int i = start; i + 3 < end; i += 2) {
             if (simple)
                 triangle(as, i, i + 1, i + 3, 0);
@@ -177,12 +177,12 @@ static void quad_by_second_diagonal(const struct assembly *as, int i)
     triangle(as, i + 1, i + 2, i + 3, edge(as, i + 1, 0) | edge(as, i + 2, 1) | EDGES_GO_ON);
 }
 
-/* OSMesa rule: a quad's diagonal is from its first vertex when the draw is smooth, filled, neither indexed nor from a display list, and none of
+/* OSMesa rule: a quad's diagonal is from its first vertex when the draw is smooth, not decomposed, neither indexed nor from a display list, and none of
  * the vertices of its segment, 1024 of them, lies outside the volume; else from its second. */
 static void quads(const struct assembly *as, int n, bool compiled)
 {
     const struct pipeline *p = as->p;
-    const bool simple = p->plan.polygon_fill && !p->plan.raster.flat && !as->elements && !compiled;
+    const bool simple = !p->plan.decomposed && !p->plan.raster.flat && !as->elements && !compiled;
     n -= n % 4; /* the vertices of an incomplete quad do not count */
     for (int start = 0; start + 3 < n; start += FGL_BATCH_SIZE) {
         const int end = fgl_min(n, start + FGL_BATCH_SIZE);

@@ -22,6 +22,7 @@ struct plan {
     uint32_t fetch;       /* attributes that some stage reads */
     uint32_t varying;     /* attributes that were arrays when the plan was made */
     bool polygon_fill;    /* both faces filled: no edge flags, no lines or points from triangles */
+    bool decomposed;      /* OSMesa's longer road splits quads, even where nothing is clipped */
     bool rasterize;       /* false: nothing can reach the framebuffer */
 };
 

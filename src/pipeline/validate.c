@@ -37,6 +37,14 @@ static uint32_t fetch_mask(const struct plan *plan)
     return mask;
 }
 
+/* OSMesa rule: on the longer road polygons are split there only if one of its stages for polygons has work. */
+static bool decomposed(const struct raster_plan *r)
+{
+    const bool offset = r->offset_point || r->offset_line || r->offset_fill;
+    return r->polygon_mode[0] != GL_FILL || r->polygon_mode[1] != GL_FILL || r->polygon_stipple ||
+           (r->longer_road && (offset || r->two_sided));
+}
+
 static void update_emit(struct plan *plan)
 {
     struct emit_plan *e = &plan->emit;
@@ -53,6 +61,7 @@ static void update_emit(struct plan *plan)
     r->back_lane = e->back_lane;
     r->two_sided = e->two_sided;
     r->flat = plan->fragment.color_source == COLOR_FLAT;
+    plan->decomposed = decomposed(r);
 }
 
 static void update_fragment(struct context *ctx, struct pipeline *p, uint32_t varying)

@@ -44,6 +44,7 @@ typedef void raster_point_fn(const struct raster_plan *plan, const float *v, flo
 struct raster_plan {
     const struct raster_kernels *kernels;
     raster_triangle_fn *triangle; /* the kernel, or the longer road of polygon.c */
+    bool longer_road;
     /* What becomes of primitives at the end of the longer road, of lines and of points: they are drawn, or taken by feedback or
      * selection (pipeline/feedback.h), whose context `taker` is. */
     raster_triangle_fn *filled;

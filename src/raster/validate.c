@@ -61,5 +61,6 @@ void fgl_raster_validate(struct raster_plan *plan, const struct server_state *s,
     plan->line_stipple_pattern = s->line.line_stipple_pattern;
     plan->point_size = s->point.point_size;
     plan->point_smooth = s->point.point_smooth;
-    plan->triangle = takes_longer_road(plan) ? filled_triangle : plan->kernels->triangle;
+    plan->longer_road = takes_longer_road(plan);
+    plan->triangle = plan->longer_road ? filled_triangle : plan->kernels->triangle;
 }
