@@ -140,6 +140,30 @@ static void surface_values(void **state)
     }
 }
 
+/* The last bits depend on the direction that is evaluated first: the one of lower order, the second one of
+ * two equal ones. */
+static void surface_bits(void **state)
+{
+    (void)state;
+    static GLfloat p[5 * 5 * 4];
+    const int orders[3][2] = {{3, 5}, {5, 3}, {4, 4}};
+    const GLfloat expected[3][4] = {{0x1.51cf34p-1f, 0x1.1401a2p-1f, 0x1.2fb086p-1f, 0x1.221e2p-1f},
+                                    {0x1.10e6fap-1f, 0x1.f40f1p-2f, 0x1.18c822p-1f, 0x1.e1facap-2f},
+                                    {0x1.3a850ep-1f, 0x1.e5bed2p-2f, 0x1.29df9p-1f, 0x1.0c7caep-1f}};
+    fill(p, 5 * 5 * 4);
+    enable_plane();
+    glEnable(GL_MAP2_TEXTURE_COORD_4);
+    for (int i = 0; i < 3; i++) {
+        glMap2f(GL_MAP2_TEXTURE_COORD_4, 0, 1, 4, orders[i][0], 0, 1, 20, orders[i][1], p);
+        begin(GL_3D_COLOR_TEXTURE);
+        glBegin(GL_POINTS);
+        glEvalCoord2f(0.3f, 0.6f);
+        glEnd();
+        assert_int_equal(glRenderMode(GL_RENDER), 12);
+        check_floats(buffer + 8, expected[i], 4, "surface", __FILE__, __LINE__);
+    }
+}
+
 /* OSMesa mixes up current values that were not given between the same Begin and End. */
 static void current_values(void **state)
 {
@@ -461,11 +485,17 @@ static void errors(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-            EVAL_TEST(curve_values),   EVAL_TEST(surface_values),
-            EVAL_TEST(current_values), EVAL_TEST(which_map_counts),
-            EVAL_TEST(auto_normal),    EVAL_TEST(grids),
-            EVAL_TEST(lists),          EVAL_TEST(split_primitives),
-            EVAL_TEST(queries),        EVAL_TEST(errors),
+            EVAL_TEST(curve_values),
+            EVAL_TEST(surface_values),
+            EVAL_TEST(surface_bits),
+            EVAL_TEST(current_values),
+            EVAL_TEST(which_map_counts),
+            EVAL_TEST(auto_normal),
+            EVAL_TEST(grids),
+            EVAL_TEST(lists),
+            EVAL_TEST(split_primitives),
+            EVAL_TEST(queries),
+            EVAL_TEST(errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

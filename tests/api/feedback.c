@@ -63,6 +63,11 @@ static void types(void **state)
     begin(GL_3D_COLOR);
     vertices(GL_POINTS, 1, v);
     EXPECT_BUFFER(GL_POINT_TOKEN, 16, 32, 0.25f, 0.25f, 0.5f, 0.75f, 1);
+    glColor4f(2, -1, 0.5f, 0.25f);
+    begin(GL_3D_COLOR);
+    vertices(GL_POINTS, 1, v);
+    EXPECT_BUFFER(GL_POINT_TOKEN, 16, 32, 0.25f, 1, 0, 0.5f, 0.25f);
+    glColor4f(0.25f, 0.5f, 0.75f, 1);
     begin(GL_3D_COLOR_TEXTURE);
     vertices(GL_POINTS, 1, v);
     EXPECT_BUFFER(GL_POINT_TOKEN, 16, 32, 0.25f, 0.25f, 0.5f, 0.75f, 1, 1, 2, 3, 4);
