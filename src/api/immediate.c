@@ -113,7 +113,7 @@ static int copy_open_vertices(struct immediate *im, struct immediate_prim *prim)
     return copied;
 }
 
-/* Primitives as draw.c wants them: adjoining QUADS are one; a line loop that is spread over stores is strips. */
+/* Primitives as draw.c wants them: adjoining QUADS are one if they have ended; a line loop that is spread over stores is strips. */
 static int collect_prims(struct immediate *im, struct draw_prim *out)
 {
     int n = 0;
@@ -130,7 +130,7 @@ static int collect_prims(struct immediate *im, struct draw_prim *out)
         if (d.count == 0)
             continue;
         struct draw_prim *last = n ? &out[n - 1] : NULL;
-        if (last && d.mode == GL_QUADS && last->mode == GL_QUADS && last->count % 4 == 0 &&
+        if (last && p->end && d.mode == GL_QUADS && last->mode == GL_QUADS && last->count % 4 == 0 &&
             last->first + last->count == d.first)
             last->count += d.count;
         else
