@@ -56,7 +56,7 @@ void fgl_raster_validate(struct raster_plan *plan, const struct server_state *s,
 
     plan->line_width = s->line.line_width;
     plan->line_smooth = s->line.line_smooth;
-    plan->line_stipple = s->line.line_stipple;
+    plan->line_stipple = s->line.line_stipple && s->line.line_stipple_pattern != 0xffff; /* OSMesa rule: else as if disabled */
     plan->line_stipple_factor = s->line.line_stipple_repeat;
     plan->line_stipple_pattern = s->line.line_stipple_pattern;
     plan->point_size = s->point.point_size;
