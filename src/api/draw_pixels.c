@@ -217,7 +217,7 @@ void fgl_draw_pixels(struct context *ctx, int width, int height, GLenum format, 
 struct image_node {
     int32_t width, height;
     GLenum format, type;
-    max_align_t pixels[]; /* packed tightly */
+    uint64_t pixels[]; /* packed tightly */
 };
 
 static void record(struct context *ctx, GLsizei width, GLsizei height, GLenum format, GLenum type,

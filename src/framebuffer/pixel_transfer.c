@@ -55,7 +55,7 @@ void fgl_transfer_index(const struct pixel_mode_state *mode, const struct pixel_
         index[i] =
                 (int32_t)((uint32_t)shift_index(index[i], mode->index_shift) + (uint32_t)mode->index_offset);
     for (int i = 0; stencil && mode->map_stencil && i < n; i++)
-        index[i] = (int32_t)map->value[index[i] & (map->size - 1)];
+        index[i] = fgl_index_of(map->value[index[i] & (map->size - 1)]);
 }
 
 void fgl_transfer_index_to_color(const struct pixel_map *maps, const int32_t *index, struct color_row *row,

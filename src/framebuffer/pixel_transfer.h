@@ -23,6 +23,12 @@ bool fgl_transfer_depth_active(const struct pixel_mode_state *mode);
 /* Scale and bias, clamped to [0,1]. */
 void fgl_transfer_depth(const struct pixel_mode_state *mode, float *depth, int n);
 
+/* An index that comes as a float, cut; 0 when it is no 32-bit integer. */
+static inline int32_t fgl_index_of(float v)
+{
+    return v > -2147483648.0f && v < 2147483648.0f ? (int32_t)v : 0;
+}
+
 /* Shift and offset of indexes (stencil or colour), then GL_PIXEL_MAP_S_TO_S when `stencil` and GL_MAP_STENCIL
  * is on. */
 void fgl_transfer_index(const struct pixel_mode_state *mode, const struct pixel_map *maps, bool stencil,

@@ -132,7 +132,7 @@ static void unpack_index(const struct pixel_unpack *unpack, int row, int column,
     } else {
         load_component(&unpack->image, row, column, n, 0, v);
         for (int i = 0; i < n; i++)
-            out[i] = type->kind == COMPONENT_FLOAT    ? (int32_t)float_of(v[i])
+            out[i] = type->kind == COMPONENT_FLOAT    ? fgl_index_of(float_of(v[i]))
                      : type->kind == COMPONENT_SIGNED ? signed_of(v[i], type->bytes)
                                                       : (int32_t)v[i];
     }
