@@ -1,8 +1,8 @@
 /* The arithmetic of the kernels, as a parameter. Layer 0.
  *
- * A kernel is written once, in terms of a scalar type `real`, of vectors of it, and of the functions below; the translation unit
- * that instantiates it chooses what they mean, with FGL_ARITH:
- *   compatible (the default): float, OSMesa's operations in OSMesa's order, bit for bit.
+ * A kernel is written once, in terms of a scalar type `real`, of vectors of it, and of the functions below;
+ * the translation unit that instantiates it chooses what they mean, with FGL_ARITH: compatible (the default):
+ * float, OSMesa's operations in OSMesa's order, bit for bit.
  *
  * An arithmetic defines `real` and:
  *   r_sqrt(x)         square root
@@ -33,14 +33,41 @@
 #include "base/arith_compatible.h"
 #endif
 
-static FGL_ALWAYS_INLINE struct real3 r_vec3(real x, real y, real z) { return (struct real3){x, y, z}; }
-static FGL_ALWAYS_INLINE struct real3 r_add3(struct real3 a, struct real3 b) { return r_vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
-static FGL_ALWAYS_INLINE struct real3 r_sub3(struct real3 a, struct real3 b) { return r_vec3(a.x - b.x, a.y - b.y, a.z - b.z); }
-static FGL_ALWAYS_INLINE struct real3 r_scale3(struct real3 a, real s) { return r_vec3(a.x * s, a.y * s, a.z * s); }
-static FGL_ALWAYS_INLINE struct real3 r_normalize3(struct real3 a) { return r_scale3(a, r_rsqrt(r_dot3(a, a))); }
-static FGL_ALWAYS_INLINE real r_max(real a, real b) { return a > b ? a : b; }
-static FGL_ALWAYS_INLINE real r_min(real a, real b) { return a < b ? a : b; }
-static FGL_ALWAYS_INLINE real r_abs(real a) { return fabsf(a); }
-static FGL_ALWAYS_INLINE real r_clamp01(real a) { return a > 0 ? (a < 1 ? a : 1) : 0; } /* NaN -> 0 */
+static FGL_ALWAYS_INLINE struct real3 r_vec3(real x, real y, real z)
+{
+    return (struct real3){x, y, z};
+}
+static FGL_ALWAYS_INLINE struct real3 r_add3(struct real3 a, struct real3 b)
+{
+    return r_vec3(a.x + b.x, a.y + b.y, a.z + b.z);
+}
+static FGL_ALWAYS_INLINE struct real3 r_sub3(struct real3 a, struct real3 b)
+{
+    return r_vec3(a.x - b.x, a.y - b.y, a.z - b.z);
+}
+static FGL_ALWAYS_INLINE struct real3 r_scale3(struct real3 a, real s)
+{
+    return r_vec3(a.x * s, a.y * s, a.z * s);
+}
+static FGL_ALWAYS_INLINE struct real3 r_normalize3(struct real3 a)
+{
+    return r_scale3(a, r_rsqrt(r_dot3(a, a)));
+}
+static FGL_ALWAYS_INLINE real r_max(real a, real b)
+{
+    return a > b ? a : b;
+}
+static FGL_ALWAYS_INLINE real r_min(real a, real b)
+{
+    return a < b ? a : b;
+}
+static FGL_ALWAYS_INLINE real r_abs(real a)
+{
+    return fabsf(a);
+}
+static FGL_ALWAYS_INLINE real r_clamp01(real a)
+{
+    return a > 0 ? (a < 1 ? a : 1) : 0;
+} /* NaN -> 0 */
 
 #endif

@@ -1,5 +1,5 @@
-/* The `compatible` arithmetic (see arith.h): OSMesa's float operations in OSMesa's order. Included by arith.h only.
- * a * b + c is two roundings, except where fgl_fma is written. */
+/* The `compatible` arithmetic (see arith.h): OSMesa's float operations in OSMesa's order. Included by arith.h
+ * only. a * b + c is two roundings, except where fgl_fma is written. */
 #ifndef FGL_BASE_ARITH_COMPATIBLE_H
 #define FGL_BASE_ARITH_COMPATIBLE_H
 
@@ -12,12 +12,24 @@ struct real4 {
     real x, y, z, w;
 };
 
-static FGL_ALWAYS_INLINE real r_sqrt(real x) { return sqrtf(x); }
-static FGL_ALWAYS_INLINE real r_rsqrt(real x) { return 1.0f / sqrtf(x); }
+static FGL_ALWAYS_INLINE real r_sqrt(real x)
+{
+    return sqrtf(x);
+}
+static FGL_ALWAYS_INLINE real r_rsqrt(real x)
+{
+    return 1.0f / sqrtf(x);
+}
 
 /* OSMesa rule: three-term dot products start with z. */
-static FGL_ALWAYS_INLINE real r_dot3(struct real3 a, struct real3 b) { return (a.z * b.z + a.y * b.y) + a.x * b.x; }
-static FGL_ALWAYS_INLINE real r_row3(struct real3 n, const float m[3]) { return (n.z * m[2] + n.y * m[1]) + n.x * m[0]; }
+static FGL_ALWAYS_INLINE real r_dot3(struct real3 a, struct real3 b)
+{
+    return (a.z * b.z + a.y * b.y) + a.x * b.x;
+}
+static FGL_ALWAYS_INLINE real r_row3(struct real3 n, const float m[3])
+{
+    return (n.z * m[2] + n.y * m[1]) + n.x * m[0];
+}
 
 static FGL_ALWAYS_INLINE real r_row4(struct real4 p, const float m[13])
 {
@@ -29,7 +41,8 @@ static FGL_ALWAYS_INLINE real r_row4_w_first(struct real4 p, const float m[13])
     return ((p.w * m[12] + p.z * m[8]) + p.y * m[4]) + p.x * m[0];
 }
 
-/* condition ? x : y, on bits, because compilers turn the operator with a constant into branches around all that follows. */
+/* condition ? x : y, on bits, because compilers turn the operator with a constant into branches around all
+ * that follows. */
 static FGL_ALWAYS_INLINE real r_select(bool condition, real x, real y)
 {
     uint32_t mask = 0u - (uint32_t)condition;
@@ -37,7 +50,8 @@ static FGL_ALWAYS_INLINE real r_select(bool condition, real x, real y)
 }
 
 /* 2^x, within 2.6e-7 of it relatively: a polynomial of degree 5 on the fraction, even and odd powers apart.
- * 0 from -127 down, and for NaN; from 128 up (where OSMesa has infinity) the largest value, so that a product with zero stays zero. */
+ * 0 from -127 down, and for NaN; from 128 up (where OSMesa has infinity) the largest value, so that a product
+ * with zero stays zero. */
 static FGL_ALWAYS_INLINE real r_exp2(real x)
 {
     x = r_select(x > -126.99999f, x, -126.99999f);
@@ -52,15 +66,16 @@ static FGL_ALWAYS_INLINE real r_exp2(real x)
     return power * fgl_fma(odd, f, even);
 }
 
-/* log2(x) of a positive, normal x, within 9.5e-7 of it absolutely: the exponent plus y P(y^2), y = (m - 1) / (m + 1),
- * m the mantissa in [1,2). */
+/* log2(x) of a positive, normal x, within 9.5e-7 of it absolutely: the exponent plus y P(y^2), y = (m - 1) /
+ * (m + 1), m the mantissa in [1,2). */
 static FGL_ALWAYS_INLINE real r_log2(real x)
 {
     uint32_t bits = fgl_float_bits(x);
     float exponent = (float)((int)(bits >> 23) - 127);
     float m = fgl_bits_float((bits & 0x007fffff) | 0x3f800000);
     float y = (m - 1.0f) / (m + 1.0f), z = y * y, z2 = z * z;
-    float even = fgl_fma(z2, fgl_fma(z2, 0.406718052498846252698f, 0.577440339438736392009f), 2.88539009343309178325f);
+    float even = fgl_fma(z2, fgl_fma(z2, 0.406718052498846252698f, 0.577440339438736392009f),
+                         2.88539009343309178325f);
     float odd = fgl_fma(z2, 0.403343858251329912514f, 0.961791550404184197881f);
     return fgl_fma(y, fgl_fma(odd, z, even), exponent);
 }

@@ -1,8 +1,9 @@
 /* fgl_fma(a, b, c): a * b + c with one rounding, the same bits on every machine. Layer 0.
  *
- * Where the instruction set has it, it is one instruction. Elsewhere it is emulated with doubles, exactly and without a
- * branch, so that a loop over it still vectorises: the product of two floats is exact in double (48 bits of 53); the sum
- * with c is rounded to odd, which loses nothing that the last rounding, to float, could need (53 >= 24 + 2). */
+ * Where the instruction set has it, it is one instruction. Elsewhere it is emulated with doubles, exactly and
+ * without a branch, so that a loop over it still vectorises: the product of two floats is exact in double (48
+ * bits of 53); the sum with c is rounded to odd, which loses nothing that the last rounding, to float, could
+ * need (53 >= 24 + 2). */
 #ifndef FGL_BASE_ARITH_FMA_H
 #define FGL_BASE_ARITH_FMA_H
 
@@ -43,7 +44,8 @@ static FGL_ALWAYS_INLINE float fgl_fma_emulated(float a, float b, float c)
     double p = (double)a * (double)b, q = (double)c;
     double s = p + q;
     double t = s - p;
-    double error = (p - (s - t)) + (q - t); /* s + error is the exact sum (Knuth's TwoSum); NaN when s is not finite */
+    double error = (p - (s - t)) +
+                   (q - t); /* s + error is the exact sum (Knuth's TwoSum); NaN when s is not finite */
 
     /* s to odd. In integers, because SSE2 has no comparison that would vectorise. */
     uint64_t magnitude = fgl_double_bits(error) << 1;

@@ -12,8 +12,9 @@ int fgl_cpu_has(enum fgl_isa isa)
     case FGL_ISA_BASE: return 1;
     case FGL_ISA_AVX2: return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
     case FGL_ISA_AVX512:
-        return fgl_cpu_has(FGL_ISA_AVX2) && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-               __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
+        return fgl_cpu_has(FGL_ISA_AVX2) && __builtin_cpu_supports("avx512f") &&
+               __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
+               __builtin_cpu_supports("avx512bw");
     default: return 0;
     }
 }

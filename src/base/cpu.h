@@ -9,8 +9,8 @@ enum fgl_isa {
     FGL_ISA_COUNT
 };
 
-/* The best set that the CPU has and the build made kernels for, or the lower one that the environment asks for:
- * FIXEDGL_ISA=sse2|avx2|avx512. Pictures do not depend on it. Found out once, at the first call. */
+/* The best set that the CPU has and the build made kernels for, or the lower one that the environment asks
+ * for: FIXEDGL_ISA=sse2|avx2|avx512. Pictures do not depend on it. Found out once, at the first call. */
 enum fgl_isa fgl_cpu_isa(void);
 
 /* Whether this CPU can run kernels of the set, whatever the environment says. */

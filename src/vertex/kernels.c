@@ -1,8 +1,8 @@
 /* The vertex kernels of one instruction set and one arithmetic, and the order in which a plan runs them.
  *
- * The build compiles this file once for each instruction set, with FGL_ISA naming it (sse2, avx2, avx512; base elsewhere) and
- * the compiler's options to match. A kernel is written once, always inlined with constant flags, and instantiated here by
- * one-line wrappers. */
+ * The build compiles this file once for each instruction set, with FGL_ISA naming it (sse2, avx2, avx512;
+ * base elsewhere) and the compiler's options to match. A kernel is written once, always inlined with constant
+ * flags, and instantiated here by one-line wrappers. */
 #include "vertex/light_kernel.h"
 #include "vertex/transform_kernel.h"
 
@@ -13,12 +13,14 @@
 
 /* Normals: [to eye space][scaling] */
 
-typedef void normal_fn(const struct vertex_plan *FGL_RESTRICT plan, struct vertex_work *FGL_RESTRICT work, int n);
+typedef void normal_fn(const struct vertex_plan *FGL_RESTRICT plan, struct vertex_work *FGL_RESTRICT work,
+                       int n);
 
-#define NORMAL_KERNEL(name, to_eye, scaling)                                                                   \
-    static void name(const struct vertex_plan *FGL_RESTRICT plan, struct vertex_work *FGL_RESTRICT work, int n)                          \
-    {                                                                                                          \
-        transform_normals(plan, work, n, to_eye, scaling);                                                     \
+#define NORMAL_KERNEL(name, to_eye, scaling)                                                                 \
+    static void name(const struct vertex_plan *FGL_RESTRICT plan, struct vertex_work *FGL_RESTRICT work,     \
+                     int n)                                                                                  \
+    {                                                                                                        \
+        transform_normals(plan, work, n, to_eye, scaling);                                                   \
     }
 NORMAL_KERNEL(normals_object_normalize, false, NORMAL_NORMALIZE)
 NORMAL_KERNEL(normals_eye, true, NORMAL_AS_IS)
@@ -31,39 +33,46 @@ static normal_fn *const normal_kernel[2][3] = {
         {normals_eye, normals_eye_rescale, normals_eye_normalize},
 };
 
-/* Lights: by key. The digits of a name are the bits of enum light_key, lowest first. */
+/* Lights: by key. The digits of a name are the bits of enum light_key, lowest first. Rare keys have no kernel
+ * of their own. */
 
-typedef void light_fn(const struct light_derived *FGL_RESTRICT light, const struct lighting_plan *FGL_RESTRICT plan, int face, struct vertex_work *FGL_RESTRICT work, int n);
+typedef void light_fn(const struct light_derived *light, const struct lighting_plan *plan, int face,
+                      struct vertex_work *work, int n);
 
-#define EACH_MATERIAL(M, p, a, s, c, v, x) M(p, a, s, c, v, x, 0) M(p, a, s, c, v, x, 1)
-#define EACH_SPECULAR(M, p, a, s)                                                                                      \
-    EACH_MATERIAL(M, p, a, s, 0, 0, 0)                                                                                 \
-    EACH_MATERIAL(M, p, a, s, 1, 0, 0)                                                                                 \
-    EACH_MATERIAL(M, p, a, s, 1, 1, 0)                                                                                 \
-    EACH_MATERIAL(M, p, a, s, 1, 0, 1)                                                                                 \
-    EACH_MATERIAL(M, p, a, s, 1, 1, 1)
-#define EACH_LIGHT(M)                                                                                                  \
-    EACH_SPECULAR(M, 0, 0, 0)                                                                                          \
-    EACH_SPECULAR(M, 0, 0, 1)                                                                                          \
-    EACH_SPECULAR(M, 1, 0, 0)                                                                                          \
-    EACH_SPECULAR(M, 1, 0, 1)                                                                                          \
-    EACH_SPECULAR(M, 1, 1, 0)                                                                                          \
+#define EACH_MATERIAL(M, p, a, s, c, v, x) M(p, a, s, c, v, x, 0, 0) M(p, a, s, c, v, x, 0, 1)
+#define EACH_SPECULAR(M, p, a, s)                                                                            \
+    EACH_MATERIAL(M, p, a, s, 0, 0, 0)                                                                       \
+    EACH_MATERIAL(M, p, a, s, 1, 0, 0)                                                                       \
+    EACH_MATERIAL(M, p, a, s, 1, 1, 0)                                                                       \
+    EACH_MATERIAL(M, p, a, s, 1, 0, 1)                                                                       \
+    EACH_MATERIAL(M, p, a, s, 1, 1, 1)                                                                       \
+    M(p, a, s, 1, 0, 0, 1, 0)                                                                                \
+    M(p, a, s, 1, 0, 1, 1, 0)
+#define EACH_LIGHT(M)                                                                                        \
+    EACH_SPECULAR(M, 0, 0, 0)                                                                                \
+    EACH_SPECULAR(M, 0, 0, 1)                                                                                \
+    EACH_SPECULAR(M, 1, 0, 0)                                                                                \
+    EACH_SPECULAR(M, 1, 0, 1)                                                                                \
+    EACH_SPECULAR(M, 1, 1, 0)                                                                                \
     EACH_SPECULAR(M, 1, 1, 1)
 
-#define LIGHT_KEY(p, a, s, c, v, x, m) (p | a << 1 | s << 2 | c << 3 | v << 4 | x << 5 | m << 6)
-#define LIGHT_KERNEL(p, a, s, c, v, x, m)                                                                              \
-    static void light_##p##a##s##c##v##x##m(const struct light_derived *FGL_RESTRICT light, const struct lighting_plan *FGL_RESTRICT plan,       \
-                                            int face, struct vertex_work *FGL_RESTRICT work, int n)                                 \
-    {                                                                                                                  \
-        add_light(light, plan, face, work, n, LIGHT_KEY(p, a, s, c, v, x, m));                                         \
+#define LIGHT_KEY(p, a, s, c, v, x, z, m) (p | a << 1 | s << 2 | c << 3 | v << 4 | x << 5 | z << 6 | m << 7)
+#define LIGHT_KERNEL(p, a, s, c, v, x, z, m)                                                                 \
+    static void light_##p##a##s##c##v##x##z##m(const struct light_derived *FGL_RESTRICT light,               \
+                                               const struct lighting_plan *FGL_RESTRICT plan, int face,      \
+                                               struct vertex_work *FGL_RESTRICT work, int n)                 \
+    {                                                                                                        \
+        add_light(light, plan, face, work, n, LIGHT_KEY(p, a, s, c, v, x, z, m));                            \
     }
 EACH_LIGHT(LIGHT_KERNEL)
 
-#define LIGHT_ENTRY(p, a, s, c, v, x, m) [LIGHT_KEY(p, a, s, c, v, x, m)] = light_##p##a##s##c##v##x##m,
+#define LIGHT_ENTRY(p, a, s, c, v, x, z, m)                                                                  \
+    [LIGHT_KEY(p, a, s, c, v, x, z, m)] = light_##p##a##s##c##v##x##z##m,
 static light_fn *const light_kernel[LIGHT_KEY_COUNT] = {EACH_LIGHT(LIGHT_ENTRY)};
 
-static void light_general(const struct light_derived *FGL_RESTRICT light, const struct lighting_plan *FGL_RESTRICT plan,
-                          int face, struct vertex_work *FGL_RESTRICT work, int n)
+static void light_general(const struct light_derived *FGL_RESTRICT light,
+                          const struct lighting_plan *FGL_RESTRICT plan, int face,
+                          struct vertex_work *FGL_RESTRICT work, int n)
 {
     add_light(light, plan, face, work, n, light->key);
 }
@@ -81,7 +90,8 @@ static void run_positions(const struct vertex_plan *plan, struct vertex_batch *b
 static void run_normals(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n,
                         struct vertex_work *work, bool general)
 {
-    normal_fn *kernel = general ? normals_general : normal_kernel[plan->normal_in_eye_space][plan->normal_scaling];
+    normal_fn *kernel =
+            general ? normals_general : normal_kernel[plan->normal_in_eye_space][plan->normal_scaling];
 
     load_normals(plan, b, first, n, work);
     if (kernel)
@@ -100,8 +110,8 @@ static void run_face(const struct lighting_plan *plan, struct vertex_batch *b, i
         start_constant(plan, face, n, work);
     for (int i = 0; i < plan->n; i++) {
         const struct light_derived *light = &plan->light[i];
-        light_fn *kernel = general || light->key >= LIGHT_KEY_COUNT ? light_general : light_kernel[light->key];
-        kernel(light, plan, face, work, n);
+        light_fn *kernel = general ? NULL : light_kernel[light->key];
+        (kernel ? kernel : light_general)(light, plan, face, work, n);
     }
 
     clamp_sums(work->color, &b->color[face], first, n);

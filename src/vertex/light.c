@@ -1,5 +1,5 @@
-/* Derives the lighting part of the plan from state (GL 1.5, 2.14.1 "Lighting"): each enabled light once, as what it is, with every
- * product that does not differ by vertex. All in float, left to right: OSMesa rule. */
+/* Derives the lighting part of the plan from state (GL 1.5, 2.14.1 "Lighting"): each enabled light once, as
+ * what it is, with every product that does not differ by vertex. All in float, left to right: OSMesa rule. */
 #include "vertex/vertex.h"
 
 #include <math.h>
@@ -29,10 +29,12 @@ static bool is_spot(const struct light *light)
 
 static bool is_attenuated(const struct light *light)
 {
-    return light->constant_attenuation != 1.0f || light->linear_attenuation != 0.0f || light->quadratic_attenuation != 0.0f;
+    return light->constant_attenuation != 1.0f || light->linear_attenuation != 0.0f ||
+           light->quadratic_attenuation != 0.0f;
 }
 
-/* Whether lighting may be done in object space: OSMesa rule. Only directions are needed, and lengths are kept. */
+/* Whether lighting may be done in object space: OSMesa rule. Only directions are needed, and lengths are
+ * kept. */
 static bool in_object_space(const struct server_state *s, unsigned modelview_class)
 {
     const struct lighting_state *state = &s->lighting;
@@ -48,7 +50,8 @@ static bool in_object_space(const struct server_state *s, unsigned modelview_cla
     return !(modelview_class & ~(unsigned)(MAT_ROTATION | MAT_TRANSLATION));
 }
 
-/* Materials --------------------------------------------------------------------------------------------------- */
+/* Materials
+ * --------------------------------------------------------------------------------------------------- */
 
 /* GL 1.5, 2.14.3 "ColorMaterial": whether the parameter follows the current colour. */
 static bool follows_color(const struct lighting_state *state, enum fgl_material parameter, int face)
@@ -94,7 +97,8 @@ static void derive_constants(struct lighting_plan *plan)
     plan->shininess_all_zero = true;
     for (int face = 0; face <= plan->two_sided; face++) {
         const float *shininess = plan->material[MAT_SHININESS][face];
-        const float *ambient = plan->material[MAT_AMBIENT][face], *emission = plan->material[MAT_EMISSION][face];
+        const float *ambient = plan->material[MAT_AMBIENT][face],
+                    *emission = plan->material[MAT_EMISSION][face];
 
         for (int c = 0; c < 3; c++)
             plan->base[face][c] = plan->model_ambient[c] * ambient[c] + emission[c];
@@ -105,16 +109,19 @@ static void derive_constants(struct lighting_plan *plan)
     }
 }
 
-/* Lights ------------------------------------------------------------------------------------------------------ */
+/* Lights
+ * ------------------------------------------------------------------------------------------------------ */
 
 /* position, direction and half vector in the lighting space. */
-static void derive_geometry(struct light_derived *out, const struct light *light, const struct lighting_plan *plan, const float inverse[16])
+static void derive_geometry(struct light_derived *out, const struct light *light,
+                            const struct lighting_plan *plan, const float inverse[16])
 {
     const double radians_per_degree = 3.14159265358979323846 / 180.0;
     const float *p = light->position;
 
     for (int r = 0; r < 3; r++)
-        out->position[r] = plan->object_space ? inverse[r] * p[0] + inverse[4 + r] * p[1] + inverse[8 + r] * p[2] + inverse[12 + r] * p[3]
+        out->position[r] = plan->object_space ? inverse[r] * p[0] + inverse[4 + r] * p[1] +
+                                                        inverse[8 + r] * p[2] + inverse[12 + r] * p[3]
                                               : p[r];
     memcpy(out->direction, out->position, sizeof out->direction);
     normalize(out->direction);
@@ -138,7 +145,8 @@ static void derive_geometry(struct light_derived *out, const struct light *light
 }
 
 /* Colours and their products with the material. */
-static void derive_products(struct light_derived *out, const struct light *light, const struct lighting_plan *plan)
+static void derive_products(struct light_derived *out, const struct light *light,
+                            const struct lighting_plan *plan)
 {
     const float *const own[COLOR_COUNT] = {light->ambient, light->diffuse, light->specular};
 
@@ -161,7 +169,8 @@ static bool contributes(const struct light_derived *light, const struct lighting
     return false;
 }
 
-static unsigned light_key(const struct light_derived *out, const struct light *light, const struct lighting_plan *plan)
+static unsigned light_key(const struct light_derived *out, const struct light *light,
+                          const struct lighting_plan *plan)
 {
     unsigned key = 0;
 
@@ -171,13 +180,15 @@ static unsigned light_key(const struct light_derived *out, const struct light *l
         key |= LIGHT_SPOT;
     if (plan->varying)
         key |= LIGHT_VARYING;
-    if (contributes(out, plan, COLOR_SPECULAR))
-        key |= LIGHT_SPECULAR | (plan->local_viewer ? LIGHT_LOCAL_VIEWER : 0) | (plan->separate_specular ? LIGHT_SEPARATE : 0) |
-               (plan->shininess_all_zero ? LIGHT_ZERO_SHININESS : 0);
+    if (contributes(out, plan, COLOR_SPECULAR)) {
+        key |= LIGHT_SPECULAR | (plan->separate_specular ? LIGHT_SEPARATE : 0);
+        key |= plan->shininess_all_zero ? LIGHT_ZERO_SHININESS : plan->local_viewer ? LIGHT_LOCAL_VIEWER : 0;
+    }
     return key;
 }
 
-static void derive_lights(struct vertex_plan *vertex, const struct lighting_state *state, const float inverse[16])
+static void derive_lights(struct vertex_plan *vertex, const struct lighting_state *state,
+                          const float inverse[16])
 {
     struct lighting_plan *plan = &vertex->light;
 
@@ -193,7 +204,8 @@ static void derive_lights(struct vertex_plan *vertex, const struct lighting_stat
         derive_geometry(out, light, plan, inverse);
         derive_products(out, light, plan);
         out->key = light_key(out, light, plan);
-        if (!contributes(out, plan, COLOR_AMBIENT) && !contributes(out, plan, COLOR_DIFFUSE) && !(out->key & LIGHT_SPECULAR))
+        if (!contributes(out, plan, COLOR_AMBIENT) && !contributes(out, plan, COLOR_DIFFUSE) &&
+            !(out->key & LIGHT_SPECULAR))
             continue;
         plan->n++;
         vertex->need_normal = true;
@@ -201,9 +213,11 @@ static void derive_lights(struct vertex_plan *vertex, const struct lighting_stat
     }
 }
 
-/* Normals ----------------------------------------------------------------------------------------------------- */
+/* Normals
+ * ----------------------------------------------------------------------------------------------------- */
 
-static void derive_normals(struct vertex_plan *plan, const struct transform_state *transform, const float inverse[16], unsigned modelview_class)
+static void derive_normals(struct vertex_plan *plan, const struct transform_state *transform,
+                           const float inverse[16], unsigned modelview_class)
 {
     const bool keeps_lengths = !(modelview_class & ~(unsigned)(MAT_ROTATION | MAT_TRANSLATION));
 

@@ -2,15 +2,17 @@
  *
  *   c = e_cm + a_cm * a_cs + sum over the lights of att * spot * (a + (n . VP) d + f (n . h)^s_rm s)
  *
- * a, d, s: products of the light's colours and the material's. f is 1 where n . VP > 0, else 0; dots are not negative.
- * Colours are sums here; clamping is 2.14.6 "Clamping or Masking". The order of operations inside is OSMesa's: docs/lighting.md. */
+ * a, d, s: products of the light's colours and the material's. f is 1 where n . VP > 0, else 0; dots are not
+ * negative. Colours are sums here; clamping is 2.14.6 "Clamping or Masking". The order of operations inside
+ * is OSMesa's: docs/lighting.md. */
 #ifndef FGL_VERTEX_LIGHT_KERNEL_H
 #define FGL_VERTEX_LIGHT_KERNEL_H
 
 #include "vertex/work.h"
 
 /* The product of a light's colour and the material, constant or by vertex. */
-static FGL_ALWAYS_INLINE struct real3 light_product(const struct light_derived *FGL_RESTRICT L, struct vertex_work *FGL_RESTRICT work, int face, int i,
+static FGL_ALWAYS_INLINE struct real3 light_product(const struct light_derived *FGL_RESTRICT L,
+                                                    struct vertex_work *FGL_RESTRICT work, int face, int i,
                                                     int color, const bool varying)
 {
     const float *constant = L->product[face][color], *own = L->color[color];
@@ -27,12 +29,15 @@ static FGL_ALWAYS_INLINE struct real3 vec3_of(const float v[3])
 }
 
 /* Adds one light to the sums of n vertices, for one face: the back face's normal is the negated one. */
-static FGL_ALWAYS_INLINE void add_light(const struct light_derived *FGL_RESTRICT L, const struct lighting_plan *FGL_RESTRICT plan, int face, struct vertex_work *FGL_RESTRICT work,
-                                        int n, const unsigned key)
+static FGL_ALWAYS_INLINE void add_light(const struct light_derived *FGL_RESTRICT L,
+                                        const struct lighting_plan *FGL_RESTRICT plan, int face,
+                                        struct vertex_work *FGL_RESTRICT work, int n, const unsigned key)
 {
-    const bool positional = key & LIGHT_POSITIONAL, attenuated = key & LIGHT_ATTENUATED, spotted = key & LIGHT_SPOT;
+    const bool positional = key & LIGHT_POSITIONAL, attenuated = key & LIGHT_ATTENUATED,
+               spotted = key & LIGHT_SPOT;
     const bool specular = key & LIGHT_SPECULAR, local_viewer = key & LIGHT_LOCAL_VIEWER;
-    const bool separate = key & LIGHT_SEPARATE, varying = key & LIGHT_VARYING, zero = key & LIGHT_ZERO_SHININESS;
+    const bool separate = key & LIGHT_SEPARATE, varying = key & LIGHT_VARYING,
+               zero = key & LIGHT_ZERO_SHININESS;
     const struct real3 position = vec3_of(L->position), direction = vec3_of(L->direction);
     const struct real3 axis = vec3_of(L->spot_direction), toward_eye = vec3_of(plan->view_direction);
     const real side = face ? -1 : 1;
@@ -74,7 +79,8 @@ static FGL_ALWAYS_INLINE void add_light(const struct light_derived *FGL_RESTRICT
             f_spec = r_select(n_dot_VP > 0, f_spec, 0);
         }
 
-        struct real3 c = load3(work->color, i), ambient = light_product(L, work, face, i, COLOR_AMBIENT, varying);
+        struct real3 c = load3(work->color, i),
+                     ambient = light_product(L, work, face, i, COLOR_AMBIENT, varying);
         if (attenuated || spotted) {
             diffuse = diffuse * att;
             f_spec = f_spec * att;
@@ -94,8 +100,10 @@ static FGL_ALWAYS_INLINE void add_light(const struct light_derived *FGL_RESTRICT
 }
 
 /* One lane of a material parameter: the vertices' own, or the constant. */
-static FGL_ALWAYS_INLINE void load_parameter(const struct lighting_plan *FGL_RESTRICT plan, struct vertex_batch *FGL_RESTRICT b, int first, int n,
-                                             enum fgl_material parameter, int face, int component, real *FGL_RESTRICT out)
+static FGL_ALWAYS_INLINE void load_parameter(const struct lighting_plan *FGL_RESTRICT plan,
+                                             struct vertex_batch *FGL_RESTRICT b, int first, int n,
+                                             enum fgl_material parameter, int face, int component,
+                                             real *FGL_RESTRICT out)
 {
     const int source = plan->source[parameter][face];
     const real constant = plan->material[parameter][face][component];
@@ -109,14 +117,16 @@ static FGL_ALWAYS_INLINE void load_parameter(const struct lighting_plan *FGL_RES
     }
 }
 
-/* Materials that differ by vertex (GL 1.5, 2.14.2 "Lighting Parameter Specification", 2.14.3 "ColorMaterial"): the work space's material of
- * one face, and the sums' start. */
-static FGL_ALWAYS_INLINE void start_varying(const struct lighting_plan *FGL_RESTRICT plan, struct vertex_batch *FGL_RESTRICT b, int first, int n, int face,
+/* Materials that differ by vertex (GL 1.5, 2.14.2 "Lighting Parameter Specification", 2.14.3
+ * "ColorMaterial"): the work space's material of one face, and the sums' start. */
+static FGL_ALWAYS_INLINE void start_varying(const struct lighting_plan *FGL_RESTRICT plan,
+                                            struct vertex_batch *FGL_RESTRICT b, int first, int n, int face,
                                             struct vertex_work *FGL_RESTRICT work)
 {
     for (int color = 0; color < COLOR_COUNT; color++)
         for (int c = 0; c < 3; c++)
-            load_parameter(plan, b, first, n, (enum fgl_material)(MAT_AMBIENT + color), face, c, work->material[color][c]);
+            load_parameter(plan, b, first, n, (enum fgl_material)(MAT_AMBIENT + color), face, c,
+                           work->material[color][c]);
     load_parameter(plan, b, first, n, MAT_SHININESS, face, 0, work->shininess);
     for (int i = 0, end = whole_groups(n); i < end; i++)
         work->shininess[i] = r_max(r_min(work->shininess[i], FGL_MAX_SHININESS), -FGL_MAX_SHININESS);
@@ -124,14 +134,16 @@ static FGL_ALWAYS_INLINE void start_varying(const struct lighting_plan *FGL_REST
     for (int c = 0; c < 3; c++) {
         load_parameter(plan, b, first, n, MAT_EMISSION, face, c, work->color[c]);
         for (int i = 0, end = whole_groups(n); i < end; i++) {
-            work->color[c][i] = plan->model_ambient[c] * work->material[COLOR_AMBIENT][c][i] + work->color[c][i];
+            work->color[c][i] =
+                    plan->model_ambient[c] * work->material[COLOR_AMBIENT][c][i] + work->color[c][i];
             work->specular[c][i] = 0;
         }
     }
 }
 
 /* Starts the sums with emission and the scene's ambient light. */
-static FGL_ALWAYS_INLINE void start_constant(const struct lighting_plan *FGL_RESTRICT plan, int face, int n, struct vertex_work *FGL_RESTRICT work)
+static FGL_ALWAYS_INLINE void start_constant(const struct lighting_plan *FGL_RESTRICT plan, int face, int n,
+                                             struct vertex_work *FGL_RESTRICT work)
 {
     for (int c = 0; c < 3; c++)
         for (int i = 0, end = whole_groups(n); i < end; i++) {
@@ -141,7 +153,8 @@ static FGL_ALWAYS_INLINE void start_constant(const struct lighting_plan *FGL_RES
 }
 
 /* Clamps finished sums (GL 1.5, 2.14.6 "Clamping or Masking"). */
-static FGL_ALWAYS_INLINE void clamp_sums(real sum[3][VERTEX_CHUNK], struct lanes4 *FGL_RESTRICT out, int first, int n)
+static FGL_ALWAYS_INLINE void clamp_sums(real sum[3][VERTEX_CHUNK], struct lanes4 *FGL_RESTRICT out,
+                                         int first, int n)
 {
     for (int c = 0; c < 3; c++)
         for (int i = 0, end = whole_groups(n); i < end; i++)

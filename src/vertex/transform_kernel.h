@@ -5,8 +5,10 @@
 
 #include "vertex/work.h"
 
-/* Clip coordinates, outcodes against the view volume, window coordinates (GL 1.5, 2.11.1 "Controlling the Viewport"). */
-static FGL_ALWAYS_INLINE void transform_positions(const struct vertex_plan *FGL_RESTRICT plan, struct vertex_batch *FGL_RESTRICT b, int first, int n)
+/* Clip coordinates, outcodes against the view volume, window coordinates (GL 1.5, 2.11.1 "Controlling the
+ * Viewport"). */
+static FGL_ALWAYS_INLINE void transform_positions(const struct vertex_plan *FGL_RESTRICT plan,
+                                                  struct vertex_batch *FGL_RESTRICT b, int first, int n)
 {
     const float *m = plan->mvp, *scale = plan->viewport_scale, *trans = plan->viewport_trans;
 
@@ -25,12 +27,14 @@ static FGL_ALWAYS_INLINE void transform_positions(const struct vertex_plan *FGL_
         b->win.c[2][i] = fgl_fma(z * oow, scale[2], trans[2]);
         b->win.c[3][i] = oow;
         b->outcode[i] = (x > w ? CLIP_RIGHT : 0u) | (x + w < 0 ? CLIP_LEFT : 0u) | (y > w ? CLIP_TOP : 0u) |
-                        (y + w < 0 ? CLIP_BOTTOM : 0u) | (z + w < 0 ? CLIP_NEAR : 0u) | (z > w ? CLIP_FAR : 0u);
+                        (y + w < 0 ? CLIP_BOTTOM : 0u) | (z + w < 0 ? CLIP_NEAR : 0u) |
+                        (z > w ? CLIP_FAR : 0u);
     }
 }
 
 /* GL 1.5, 2.12: the half-space of a client-defined plane, here in clip space: OSMesa rule. */
-static FGL_ALWAYS_INLINE void test_user_plane(const float plane[4], uint32_t bit, struct vertex_batch *FGL_RESTRICT b, int first, int n)
+static FGL_ALWAYS_INLINE void test_user_plane(const float plane[4], uint32_t bit,
+                                              struct vertex_batch *FGL_RESTRICT b, int first, int n)
 {
     for (int i = first, end = first + whole_groups(n); i < end; i++) {
         float xy = fgl_fma(plane[1], b->clip.c[1][i], plane[0] * b->clip.c[0][i]);
@@ -39,7 +43,8 @@ static FGL_ALWAYS_INLINE void test_user_plane(const float plane[4], uint32_t bit
     }
 }
 
-static FGL_ALWAYS_INLINE void transform_eye(const struct vertex_plan *FGL_RESTRICT plan, struct vertex_batch *FGL_RESTRICT b, int first, int n,
+static FGL_ALWAYS_INLINE void transform_eye(const struct vertex_plan *FGL_RESTRICT plan,
+                                            struct vertex_batch *FGL_RESTRICT b, int first, int n,
                                             struct vertex_work *FGL_RESTRICT work)
 {
     const float *m = plan->modelview;
@@ -56,7 +61,8 @@ static FGL_ALWAYS_INLINE void normalize_view(struct vertex_work *FGL_RESTRICT wo
         store3(work->view, i, r_normalize3(load3(work->eye, i)));
 }
 
-static FGL_ALWAYS_INLINE void load_normals(const struct vertex_plan *FGL_RESTRICT plan, struct vertex_batch *FGL_RESTRICT b, int first, int n,
+static FGL_ALWAYS_INLINE void load_normals(const struct vertex_plan *FGL_RESTRICT plan,
+                                           struct vertex_batch *FGL_RESTRICT b, int first, int n,
                                            struct vertex_work *FGL_RESTRICT work)
 {
     const bool varying = plan->varying >> ATTR_NORMAL & 1;
@@ -71,7 +77,8 @@ static FGL_ALWAYS_INLINE void load_normals(const struct vertex_plan *FGL_RESTRIC
 }
 
 /* GL 1.5, 2.11.3 "Normal Transformation". */
-static FGL_ALWAYS_INLINE void transform_normals(const struct vertex_plan *FGL_RESTRICT plan, struct vertex_work *FGL_RESTRICT work, int n,
+static FGL_ALWAYS_INLINE void transform_normals(const struct vertex_plan *FGL_RESTRICT plan,
+                                                struct vertex_work *FGL_RESTRICT work, int n,
                                                 const bool to_eye, const enum normal_scaling scaling)
 {
     const float(*m)[3] = plan->normal_matrix;
@@ -89,7 +96,8 @@ static FGL_ALWAYS_INLINE void transform_normals(const struct vertex_plan *FGL_RE
 }
 
 /* |z| in eye space: the distance that fog and point attenuation use (GL 1.5, 3.10 "Fog"). */
-static FGL_ALWAYS_INLINE void eye_distance(const struct vertex_plan *FGL_RESTRICT plan, struct vertex_batch *FGL_RESTRICT b, int first, int n,
+static FGL_ALWAYS_INLINE void eye_distance(const struct vertex_plan *FGL_RESTRICT plan,
+                                           struct vertex_batch *FGL_RESTRICT b, int first, int n,
                                            float *FGL_RESTRICT distance)
 {
     for (int i = first, end = first + whole_groups(n); i < end; i++)
@@ -97,7 +105,8 @@ static FGL_ALWAYS_INLINE void eye_distance(const struct vertex_plan *FGL_RESTRIC
 }
 
 /* GL 1.5, 3.3 "Points": the size attenuated by distance. */
-static FGL_ALWAYS_INLINE void point_sizes(const struct vertex_plan *FGL_RESTRICT plan, struct vertex_batch *FGL_RESTRICT b, int first, int n)
+static FGL_ALWAYS_INLINE void point_sizes(const struct vertex_plan *FGL_RESTRICT plan,
+                                          struct vertex_batch *FGL_RESTRICT b, int first, int n)
 {
     const float *k = plan->point_attenuation;
 

@@ -5,8 +5,10 @@
 
 #include <string.h>
 
-/* Clip planes go from eye to clip space: plane * inverse(projection) (GL 1.5, 2.12 "Clipping"; OSMesa rule). */
-static void derive_user_planes(struct vertex_plan *plan, const struct transform_state *transform, const float inverse[16])
+/* Clip planes go from eye to clip space: plane * inverse(projection) (GL 1.5, 2.12 "Clipping"; OSMesa rule).
+ */
+static void derive_user_planes(struct vertex_plan *plan, const struct transform_state *transform,
+                               const float inverse[16])
 {
     plan->user_planes = transform->clip_plane_enabled;
     for (int i = 0; i < FGL_MAX_CLIP_PLANES; i++) {
@@ -16,13 +18,16 @@ static void derive_user_planes(struct vertex_plan *plan, const struct transform_
             continue;
         for (int c = 0; c < 4; c++) {
             const float *column = inverse + 4 * c;
-            plan->user_plane_clip[i][c] = p[0] * column[0] + p[1] * column[1] + p[2] * column[2] + p[3] * column[3];
+            plan->user_plane_clip[i][c] =
+                    p[0] * column[0] + p[1] * column[1] + p[2] * column[2] + p[3] * column[3];
         }
     }
 }
 
-/* GL 1.5, 2.11.1 "Controlling the Viewport"; y down from the framebuffer's top. OSMesa rule: depth range in double from floats. */
-static void derive_viewport(struct vertex_plan *plan, const struct viewport_state *state, int framebuffer_height)
+/* GL 1.5, 2.11.1 "Controlling the Viewport"; y down from the framebuffer's top. OSMesa rule: depth range in
+ * double from floats. */
+static void derive_viewport(struct vertex_plan *plan, const struct viewport_state *state,
+                            int framebuffer_height)
 {
     const float x = (float)state->viewport[0], y = (float)state->viewport[1];
     const float half_width = (float)state->viewport[2] * 0.5f, half_height = (float)state->viewport[3] * 0.5f;
@@ -47,7 +52,8 @@ static void derive_point_size(struct vertex_plan *plan, const struct point_state
     plan->point_size_max = state->point_size_max;
 }
 
-void fgl_vertex_validate(struct vertex_plan *plan, struct context *ctx, uint32_t varying, int framebuffer_height)
+void fgl_vertex_validate(struct vertex_plan *plan, struct context *ctx, uint32_t varying,
+                         int framebuffer_height)
 {
     const unsigned dirty = ctx->dirty | (plan->varying != varying ? DIRTY_VARYING : 0);
     struct matrix *modelview = &ctx->modelview.entry[ctx->modelview.top];
@@ -72,8 +78,8 @@ void fgl_vertex_validate(struct vertex_plan *plan, struct context *ctx, uint32_t
     plan->lighting = ctx->s.lighting.lighting;
     plan->need_fog_z = ctx->s.fog.fog && ctx->s.fog.fog_coord_src != GL_FOG_COORDINATE;
     plan->color_is_varying = !plan->lighting && (varying >> ATTR_COLOR & 1);
-    if (plan->lighting && dirty & (DIRTY_MODELVIEW | DIRTY_LIGHT | DIRTY_MATERIAL | DIRTY_CURRENT | DIRTY_NORMALIZE | DIRTY_RASTER |
-                                   DIRTY_VARYING))
+    if (plan->lighting && dirty & (DIRTY_MODELVIEW | DIRTY_LIGHT | DIRTY_MATERIAL | DIRTY_CURRENT |
+                                   DIRTY_NORMALIZE | DIRTY_RASTER | DIRTY_VARYING))
         fgl_light_validate(plan, ctx);
 }
 
@@ -94,7 +100,8 @@ void fgl_vertex_run(const struct vertex_plan *plan, struct vertex_batch *batch, 
 
 /* The kernels of each set that the build has. */
 #if defined(__x86_64__)
-extern const struct vertex_kernels fgl_vertex_kernels_sse2, fgl_vertex_kernels_avx2, fgl_vertex_kernels_avx512;
+extern const struct vertex_kernels fgl_vertex_kernels_sse2, fgl_vertex_kernels_avx2,
+        fgl_vertex_kernels_avx512;
 static const struct vertex_kernels *const kernels_of[FGL_ISA_COUNT] = {
         &fgl_vertex_kernels_sse2, &fgl_vertex_kernels_avx2, &fgl_vertex_kernels_avx512};
 #else

@@ -1,7 +1,8 @@
-/* The vertex stage (GL 1.5, 2.11 "Coordinate Transformations", 2.12 "Clipping", 2.14 "Colors and Coloring"). Layer 3.
+/* The vertex stage (GL 1.5, 2.11 "Coordinate Transformations", 2.12 "Clipping", 2.14 "Colors and Coloring").
+ * Layer 3.
  *
- * Validation derives a vertex_plan: small constants, made once, that the kernels read instead of state. The kernels run over
- * a batch (base/batch.h), stage by stage, and only the stages that the plan needs. */
+ * Validation derives a vertex_plan: small constants, made once, that the kernels read instead of state. The
+ * kernels run over a batch (base/batch.h), stage by stage, and only the stages that the plan needs. */
 #ifndef FGL_VERTEX_VERTEX_H
 #define FGL_VERTEX_VERTEX_H
 
@@ -13,19 +14,21 @@ enum normal_scaling { NORMAL_AS_IS, NORMAL_RESCALE, NORMAL_NORMALIZE };
 /* What one light's kernel must compute: the index of its instance. */
 enum light_key {
     LIGHT_POSITIONAL = 1 << 0,
-    LIGHT_ATTENUATED = 1 << 1,   /* by distance; only with LIGHT_POSITIONAL */
+    LIGHT_ATTENUATED = 1 << 1, /* by distance; only with LIGHT_POSITIONAL */
     LIGHT_SPOT = 1 << 2,
-    LIGHT_SPECULAR = 1 << 3,     /* the specular product is not zero */
-    LIGHT_LOCAL_VIEWER = 1 << 4, /* only with LIGHT_SPECULAR, like the two below */
-    LIGHT_SEPARATE = 1 << 5,     /* specular goes to the secondary colour */
-    LIGHT_VARYING = 1 << 6,      /* the material differs by vertex */
-    LIGHT_KEY_COUNT = 1 << 7,    /* the keys above have specialised kernels; with those below only the general one */
-    LIGHT_ZERO_SHININESS = 1 << 7
+    LIGHT_SPECULAR = 1 << 3, /* the specular product is not zero */
+    LIGHT_LOCAL_VIEWER =
+            1 << 4,          /* only with LIGHT_SPECULAR, like the two below; not with LIGHT_ZERO_SHININESS */
+    LIGHT_SEPARATE = 1 << 5, /* specular goes to the secondary colour */
+    LIGHT_ZERO_SHININESS = 1 << 6, /* of every face: OSMesa takes another path then */
+    LIGHT_VARYING = 1 << 7,        /* the material differs by vertex */
+    LIGHT_KEY_COUNT = 1 << 8
 };
 
 enum { COLOR_AMBIENT, COLOR_DIFFUSE, COLOR_SPECULAR, COLOR_COUNT }; /* in the order of MAT_AMBIENT.. */
 
-/* One enabled light, with everything that does not differ by vertex. Directions are in the space of lighting_plan.object_space. */
+/* One enabled light, with everything that does not differ by vertex. Directions are in the space of
+ * lighting_plan.object_space. */
 struct light_derived {
     int number;              /* GL_LIGHTi */
     unsigned key;            /* LIGHT_* */
@@ -34,7 +37,7 @@ struct light_derived {
     float half[3];           /* directional, infinite viewer: unit half vector */
     float spot_direction[3]; /* unit */
     float spot_exponent, cos_cutoff;
-    float k0, k1, k2;        /* constant, linear, quadratic attenuation */
+    float k0, k1, k2;                 /* constant, linear, quadratic attenuation */
     float color[COLOR_COUNT][3];      /* the light's own */
     float product[2][COLOR_COUNT][3]; /* [face]: colour x material, when the material is constant */
 };
@@ -43,20 +46,23 @@ struct lighting_plan {
     int n;
     struct light_derived light[FGL_MAX_LIGHTS]; /* those that can add anything, in index order */
     bool two_sided, local_viewer, separate_specular, object_space;
-    bool shininess_all_zero;    /* OSMesa takes another specular path then */
-    bool varying;               /* some material parameter differs by vertex */
-    int source[MAT_COUNT][2];   /* [parameter][face]: the attribute of the batch that gives it, or -1: the constant below */
-    float material[MAT_COUNT][2][4]; /* constant materials; the current colour where glColorMaterial says so */
+    bool shininess_all_zero;  /* OSMesa takes another specular path then */
+    bool varying;             /* some material parameter differs by vertex */
+    int source[MAT_COUNT][2]; /* [parameter][face]: the attribute of the batch that gives it, or -1: the
+                                 constant below */
+    float material[MAT_COUNT][2]
+                  [4]; /* constant materials; the current colour where glColorMaterial says so */
     float model_ambient[4];
-    float base[2][4];           /* emission + model ambient x material ambient; alpha = diffuse alpha */
-    float shininess[2];         /* clamped to +-128 */
-    float view_direction[3];    /* infinite viewer's, in the lighting space: object space's (m02, m12, m22), eye space's (0,0,1) */
+    float base[2][4];        /* emission + model ambient x material ambient; alpha = diffuse alpha */
+    float shininess[2];      /* clamped to +-128 */
+    float view_direction[3]; /* infinite viewer's, in the lighting space: object space's (m02, m12, m22), eye
+                                space's (0,0,1) */
 };
 
 struct vertex_plan {
     float mvp[16], modelview[16];
-    float viewport_scale[3], viewport_trans[3]; /* window = fma(clip / w, scale, trans); y down */
-    unsigned user_planes;                       /* bit i: enabled */
+    float viewport_scale[3], viewport_trans[3];    /* window = fma(clip / w, scale, trans); y down */
+    unsigned user_planes;                          /* bit i: enabled */
     float user_plane_clip[FGL_MAX_CLIP_PLANES][4]; /* in clip space */
 
     bool lighting;
@@ -76,10 +82,11 @@ struct vertex_plan {
     float constant[ATTR_MATERIAL][4]; /* current values of the others */
 };
 
-/* Brings the plan up to date with the state, for batches whose attributes in `varying` differ by vertex. Only what ctx->dirty
- * (and a changed `varying`) touches is derived anew: a plan must stay with its context and be validated before those bits are cleared.
- * framebuffer_height turns y down. */
-void fgl_vertex_validate(struct vertex_plan *plan, struct context *ctx, uint32_t varying, int framebuffer_height);
+/* Brings the plan up to date with the state, for batches whose attributes in `varying` differ by vertex. Only
+ * what ctx->dirty (and a changed `varying`) touches is derived anew: a plan must stay with its context and be
+ * validated before those bits are cleared. framebuffer_height turns y down. */
+void fgl_vertex_validate(struct vertex_plan *plan, struct context *ctx, uint32_t varying,
+                         int framebuffer_height);
 
 /* light.c: the part of validation that concerns lighting. */
 void fgl_light_validate(struct vertex_plan *plan, struct context *ctx);
@@ -94,7 +101,8 @@ struct vertex_kernels {
     void (*run)(const struct vertex_plan *plan, struct vertex_batch *batch, int first, int n, bool general);
 };
 
-/* The kernels that fgl_vertex_run uses; and those of one set, or NULL when the build or the CPU does not have it (enum fgl_isa). */
+/* The kernels that fgl_vertex_run uses; and those of one set, or NULL when the build or the CPU does not have
+ * it (enum fgl_isa). */
 const struct vertex_kernels *fgl_vertex_kernels(void);
 const struct vertex_kernels *fgl_vertex_kernels_of(int isa);
 

@@ -1,5 +1,5 @@
-/* The work space of the vertex kernels: what passes between stages of one chunk of vertices, in the scalar type of the
- * arithmetic (base/arith.h). Kernels only. */
+/* The work space of the vertex kernels: what passes between stages of one chunk of vertices, in the scalar
+ * type of the arithmetic (base/arith.h). Kernels only. */
 #ifndef FGL_VERTEX_WORK_H
 #define FGL_VERTEX_WORK_H
 
@@ -21,7 +21,8 @@ struct vertex_work {
     real normal[3][VERTEX_CHUNK];   /* in the lighting space */
     real color[3][VERTEX_CHUNK];    /* sums of the lighting equation, not clamped */
     real specular[3][VERTEX_CHUNK]; /* the specular sums, when separate */
-    real material[COLOR_COUNT][3][VERTEX_CHUNK]; /* of the face being lit, when the material differs by vertex */
+    real material[COLOR_COUNT][3]
+                 [VERTEX_CHUNK]; /* of the face being lit, when the material differs by vertex */
     real shininess[VERTEX_CHUNK];
 };
 
