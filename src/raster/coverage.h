@@ -3,8 +3,8 @@
  * Vertices are rounded to 1/256 of a pixel; everything after is integer arithmetic. With y down, a pixel (X, Y) is inside the edge from
  * vertex i to j of a polygon that runs counter-clockwise as GL sees it if
  *     E = c - 256 a X + 256 b Y > 0,    a = y_i - y_j,  b = x_i - x_j,  c = a x_i - b y_i
- * where c is one greater for the edges that own the pixel centres on them (OSMesa rule: left and lower edges). A row of a convex polygon
- * is an interval, which each edge bounds on one side:
+ * where c is one greater for the edges that own the pixel centres on them (OSMesa rule: left and lower ones; a < 0, or a = 0 and b < 0). A
+ * row of a convex polygon is an interval, which each edge bounds on one side:
  *     a > 0:  X < ceil(N/D) = floor((N-1)/D) + 1,  N = c + 256 b Y,  D = 256 a
  *     a < 0:  X >= floor(-N/D) + 1,                                  D = -256 a
  * so that a bound is floor(K/D) + 1 on either side. Level edges bound rows, which the bounding box does exactly.
@@ -83,8 +83,7 @@ static FGL_ALWAYS_INLINE void edge_setup(struct edges *e, int i, int64_t x0, int
 {
     const int64_t a = ((y0 - y1) ^ reverse) - reverse, b = ((x0 - x1) ^ reverse) - reverse;
     const int64_t below = a >> 63, level = a == 0;
-    const int64_t owns = a * ((int64_t)1 << 27) + b < 0; /* a < 0, or a is 0 and b < 0 */
-    const int64_t n = a * x0 - b * y0 + owns + 256 * b * box->y0;
+    const int64_t owns = -below, n = a * x0 - b * y0 + owns + 256 * b * box->y0;
     const int64_t d = 256 * ((a ^ below) - below);
     e->k[i] = (double)(((n - 1) ^ below) - d * (box->x0 - 1) + (level << 60));
     e->step[i] = (double)((256 * b ^ below) - below);

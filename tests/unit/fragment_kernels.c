@@ -317,7 +317,8 @@ static void random_runs(struct runs *r)
     }
 }
 
-static void random_pixels(const struct framebuffer *fb)
+/* Some depths are what the primitive will have: equality must occur. */
+static void random_pixels(const struct framebuffer *fb, const struct planes *p)
 {
     for (size_t i = 0; i < pixels(fb) * pixel_size(fb->color_kind) / 4; i++)
         if (fb->color_kind == COLOR_FLOAT)
@@ -325,7 +326,9 @@ static void random_pixels(const struct framebuffer *fb)
         else
             ((uint32_t *)fb->color)[i] = random_bits();
     for (size_t i = 0; i < pixels(fb); i++) {
-        fb->depth[i] = random_bits() & fb->depth_max;
+        const int x = (int)(i % (size_t)fb->stride), y = (int)(i / (size_t)fb->stride);
+        const double z = quantise(plane(p, LANE_Z, x, y) + p->z_offset, (double)fb->depth_max);
+        fb->depth[i] = one_of(3) ? (uint32_t)z : random_bits() & fb->depth_max;
         fb->stencil[i] = (uint8_t)random_bits();
     }
 }
@@ -368,7 +371,7 @@ static void compare_kernels(enum color_kind kind, int depth_bits, bool plain)
     random_state_of(&s, plain, kind != COLOR_FLOAT);
     random_planes(&planes, plan.color_source == COLOR_FLAT);
     random_runs(&runs);
-    random_pixels(&start);
+    random_pixels(&start, &planes);
     for (int c = 0; c < 4; c++)
         plan.constant_color[c] = between(-0.1f, 1.1f);
 
