@@ -45,8 +45,6 @@ static void copy_vertex(const struct raster_plan *plan, struct corner *to, const
 /* OSMesa rule: edges in the order v2 v0, v0 v1, v1 v2. */
 static void draw_edges(const struct raster_plan *plan, const struct corner *v, unsigned edges, int *stipple_counter)
 {
-    if (!(edges & EDGES_GO_ON))
-        *stipple_counter = 0;
     for (int i = 0; i < 3; i++) {
         const int from = (i + 2) % 3;
         if (edges >> from & 1)
@@ -69,6 +67,8 @@ void fgl_raster_polygon_mode(const struct raster_plan *plan, const float *v0, co
     const bool ccw = det < 0.0f, front = ccw == plan->front_is_ccw;
     if (front && det != 0.0f ? plan->cull_front : plan->cull_back)
         return;
+    if (stipple_counter && !(edges & EDGES_GO_ON))
+        *stipple_counter = 0;
     const GLenum mode = plan->polygon_mode[front ? 0 : 1];
     const float *const v[3] = {v0, v1, v2};
     struct corner corner[3];
