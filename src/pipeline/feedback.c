@@ -152,6 +152,7 @@ void fgl_feedback_validate(struct context *ctx, struct plan *plan)
     const bool feedback = ctx->render_mode == GL_FEEDBACK;
     const struct matrix_stack *stack = &ctx->texture_matrix[0];
     plan->polygon_fill = false; /* the longer road for all */
+    plan->decomposed = true;
     plan->rasterize = true;     /* whatever scissor and draw buffer let through */
     plan->feedback.texture_coords = feedback;
     for (int i = 0; i < 16; i++)

@@ -405,7 +405,7 @@ static void split_primitives(void **state)
 static void queries(void **state)
 {
     (void)state;
-    GLfloat f[16];
+    GLfloat f[18];
     GLdouble d[4];
     GLint n[4];
     for (GLenum i = 0; i <= GL_MAP1_VERTEX_4 - GL_MAP1_COLOR_4; i++) { /* table 6.26 */
