@@ -15,7 +15,7 @@ struct immediate *fgl_immediate_create(void)
     if (!im)
         return NULL;
     im->capacity = IMMEDIATE_BYTES / (int)sizeof(float);
-    im->store = malloc((size_t)im->capacity * sizeof(float));
+    im->store = malloc(((size_t)im->capacity + STORE_SLACK) * sizeof(float));
     if (!im->store) {
         free(im);
         return NULL;
@@ -208,7 +208,7 @@ static void restore_copied(struct context *ctx, struct immediate *im, const stru
 /* Makes room for as many vertices again. */
 static bool grow(struct context *ctx, struct immediate *im)
 {
-    float *store = realloc(im->store, (size_t)im->capacity * 2 * sizeof(float));
+    float *store = realloc(im->store, ((size_t)im->capacity * 2 + STORE_SLACK) * sizeof(float));
     if (!store) {
         fgl_error(ctx, GL_OUT_OF_MEMORY);
         return false;

@@ -34,6 +34,7 @@ struct vertex_format {
 
 enum {
     VERTEX_MAX_FLOATS = 4 * ATTR_COUNT,
+    STORE_SLACK = 4, /* floats behind the last vertex that may be written */
     CONTINUED_PRIMITIVE = 0xfffe /* mode of vertices in a list that stand before any Begin: a caller's primitive goes on */
 };
 

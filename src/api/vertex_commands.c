@@ -4,6 +4,8 @@
 #include "api/immediate.h"
 #include "api/list.h"
 
+#include <string.h>
+
 /* Table 2.9 "Component conversions": signed c to (2c + 1) / (2^b - 1), unsigned c to c / (2^b - 1). */
 static inline float norm_b(GLbyte c) { return (2.0f * (float)c + 1.0f) * (1.0f / 255.0f); }
 static inline float norm_s(GLshort c) { return (2.0f * (float)c + 1.0f) * (1.0f / 65535.0f); }
@@ -31,8 +33,8 @@ static FGL_ALWAYS_INLINE void vertex(const int size, float x, float y, float z, 
     }
     float *to = im->next;
     const int before = im->format.before_position;
-    for (int i = 0; i < before; i++)
-        to[i] = im->vertex[i];
+    for (int i = 0; i < before; i += 4) /* whole fours: what goes too far is overwritten, by the position at the latest by the next vertex */
+        memcpy(to + i, im->vertex + i, 4 * sizeof(float));
     for (int i = 0; i < size; i++)
         to[before + i] = v[i];
     im->next = to + before + size;

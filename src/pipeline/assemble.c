@@ -5,14 +5,16 @@
  * edge from the triangle's vertex i to the next; only edges of the primitive itself are boundaries (2.6.2 "Polygon Edges"). */
 #include "pipeline/pipeline.h"
 
+/* filled, and whether there are elements, are constants where it matters: see the end of the file. */
 struct assembly {
     struct pipeline *p;
     const uint32_t *elements;
     int first;
     uint32_t base;
+    bool filled;
 };
 
-static inline uint32_t number(const struct assembly *a, int i)
+static FGL_ALWAYS_INLINE uint32_t number(const struct assembly *a, int i)
 {
     const uint32_t n = (uint32_t)(a->first + i);
     return (a->elements ? a->elements[n] : n) - a->base;
@@ -23,16 +25,17 @@ static inline const float *record(const struct pipeline *p, uint32_t v)
     return p->cache.record + (size_t)v * (size_t)p->plan.emit.stride;
 }
 
-/* A filled triangle waits in the list; flagged when it must be clipped. */
-static inline void add_filled(struct pipeline *p, uint32_t a, uint32_t b, uint32_t c, uint32_t flag)
+/* A filled triangle: into the list, if it may cover a pixel. */
+static FGL_ALWAYS_INLINE void add_filled(struct pipeline *p, uint32_t a, uint32_t b, uint32_t c)
 {
     struct triangle_list *t = &p->triangles;
+    const struct snapped *s = p->cache.snapped;
     if (FGL_UNLIKELY(t->n == TRIANGLES_MAX))
         fgl_triangles_flush(p);
-    t->a[t->n] = a | flag;
-    t->b[t->n] = b;
-    t->c[t->n] = c;
-    t->n++;
+    if (FGL_UNLIKELY((s[a].x == SNAP_SPECIAL) | (s[b].x == SNAP_SPECIAL) | (s[c].x == SNAP_SPECIAL)))
+        fgl_triangles_add_special(p, a, b, c);
+    else
+        fgl_triangles_add(t, &p->plan.raster, s, a, b, c);
 }
 
 /* A triangle some face of which is drawn as lines or points. */
@@ -47,21 +50,20 @@ static FGL_NOINLINE void polygon_mode(struct pipeline *p, uint32_t a, uint32_t b
         .outcode = v->outcode[a] | v->outcode[b] | v->outcode[c],
         .edges = edges,
     };
+    if (v->outcode[a] & v->outcode[b] & v->outcode[c])
+        return;
     if (in.outcode)
         fgl_clip_triangle(p, &p->plan.raster, &in);
     else
         fgl_raster_polygon_mode(&p->plan.raster, va, vb, vc, vc, edges, &p->stipple_counter);
 }
 
-static inline void triangle(const struct assembly *as, int i0, int i1, int i2, unsigned edges)
+static FGL_ALWAYS_INLINE void triangle(const struct assembly *as, int i0, int i1, int i2, unsigned edges)
 {
     struct pipeline *p = as->p;
     const uint32_t a = number(as, i0), b = number(as, i1), c = number(as, i2);
-    const uint32_t *out = p->cache.outcode;
-    if (FGL_UNLIKELY(out[a] & out[b] & out[c]))
-        return;
-    if (FGL_LIKELY(p->plan.polygon_fill))
-        add_filled(p, a, b, c, out[a] | out[b] | out[c] ? (uint32_t)TRIANGLE_CLIP : 0);
+    if (as->filled)
+        add_filled(p, a, b, c);
     else
         polygon_mode(p, a, b, c, edges);
 }
@@ -84,9 +86,9 @@ static void line(const struct assembly *as, int i0, int i1, int *stipple_counter
 }
 
 /* The edge flag of vertex i as bit `bit`. */
-static inline unsigned edge(const struct assembly *as, int i, int bit)
+static FGL_ALWAYS_INLINE unsigned edge(const struct assembly *as, int i, int bit)
 {
-    return as->p->plan.polygon_fill ? 0 : (as->p->cache.edge_flag[number(as, i)] != 0.0f ? 1u << bit : 0);
+    return as->filled ? 0 : (as->p->cache.edge_flag[number(as, i)] != 0.0f ? 1u << bit : 0);
 }
 
 static void points(const struct assembly *as, int n)
@@ -113,25 +115,25 @@ static void lines(const struct assembly *as, GLenum mode, int n)
         line(as, n - 1, 0, &counter);
 }
 
-static void triangles(const struct assembly *as, int n)
+static FGL_ALWAYS_INLINE void triangles(const struct assembly *as, int n)
 {
     for (int i = 0; i + 2 < n; i += 3)
         triangle(as, i, i + 1, i + 2, edge(as, i, 0) | edge(as, i + 1, 1) | edge(as, i + 2, 2));
 }
 
-static void triangle_strip(const struct assembly *as, int n)
+static FGL_ALWAYS_INLINE void triangle_strip(const struct assembly *as, int n)
 {
     for (int i = 0; i + 2 < n; i++)
         triangle(as, i + (i & 1), i + 1 - (i & 1), i + 2, 7);
 }
 
-static void triangle_fan(const struct assembly *as, int n)
+static FGL_ALWAYS_INLINE void triangle_fan(const struct assembly *as, int n)
 {
     for (int i = 2; i < n; i++)
         triangle(as, 0, i - 1, i, 7);
 }
 
-static void polygon(const struct assembly *as, int n)
+static FGL_ALWAYS_INLINE void polygon(const struct assembly *as, int n)
 {
     for (int i = 2; i < n; i++)
         triangle(as, i - 1, i, 0,
@@ -149,7 +151,7 @@ static bool any_outside(const struct assembly *as, int start, int end)
 
 /* OSMesa rule: which half of a quad comes first, which shows where the halves overlap, depends on whether a vertex of the segment has to be
  * clipped, or all are decomposed. */
-static void quad_strip(const struct assembly *as, int n)
+static FGL_ALWAYS_INLINE void quad_strip(const struct assembly *as, int n)
 {
     n -= n % 2;
     for (int start = 0; start + 3 < n; start += FGL_BATCH_SIZE - 2) {
@@ -165,13 +167,13 @@ static void quad_strip(const struct assembly *as, int n)
     }
 }
 
-static void quad_by_first_diagonal(const struct assembly *as, int i)
+static FGL_ALWAYS_INLINE void quad_by_first_diagonal(const struct assembly *as, int i)
 {
     triangle(as, i, i + 1, i + 2, 0);
     triangle(as, i, i + 2, i + 3, 0);
 }
 
-static void quad_by_second_diagonal(const struct assembly *as, int i)
+static FGL_ALWAYS_INLINE void quad_by_second_diagonal(const struct assembly *as, int i)
 {
     triangle(as, i, i + 1, i + 3, edge(as, i, 0) | edge(as, i + 3, 2));
     triangle(as, i + 1, i + 2, i + 3, edge(as, i + 1, 0) | edge(as, i + 2, 1) | EDGES_GO_ON);
@@ -179,7 +181,7 @@ static void quad_by_second_diagonal(const struct assembly *as, int i)
 
 /* OSMesa rule: a quad's diagonal is from its first vertex when the draw is smooth, not decomposed, neither indexed nor from a display list, and none of
  * the vertices of its segment, 1024 of them, lies outside the volume; else from its second. */
-static void quads(const struct assembly *as, int n, bool compiled)
+static FGL_ALWAYS_INLINE void quads(const struct assembly *as, int n, bool compiled)
 {
     const struct pipeline *p = as->p;
     const bool simple = !p->plan.decomposed && !p->plan.raster.flat && !as->elements && !compiled;
@@ -196,21 +198,51 @@ static void quads(const struct assembly *as, int n, bool compiled)
     }
 }
 
-void fgl_assemble(struct pipeline *p, const struct draw_prim *prim, const uint32_t *elements, uint32_t base, bool compiled)
+static FGL_ALWAYS_INLINE void polygons(const struct assembly *as, GLenum mode, int n, bool compiled)
 {
-    const struct assembly as = {p, elements, prim->first, base};
-    const int n = prim->count;
-    if (prim->mode < GL_TRIANGLES)
-        fgl_triangles_flush(p); /* in the order given */
-    switch (prim->mode) {
-    case GL_POINTS: points(&as, n); break;
-    case GL_LINES: case GL_LINE_STRIP: case GL_LINE_LOOP: lines(&as, prim->mode, n); break;
-    case GL_TRIANGLES: triangles(&as, n); break;
-    case GL_TRIANGLE_STRIP: triangle_strip(&as, n); break;
-    case GL_TRIANGLE_FAN: triangle_fan(&as, n); break;
-    case GL_QUADS: quads(&as, n, compiled); break;
-    case GL_QUAD_STRIP: quad_strip(&as, n); break;
-    case GL_POLYGON: polygon(&as, n); break;
+    switch (mode) {
+    case GL_TRIANGLES: triangles(as, n); break;
+    case GL_TRIANGLE_STRIP: triangle_strip(as, n); break;
+    case GL_TRIANGLE_FAN: triangle_fan(as, n); break;
+    case GL_QUADS: quads(as, n, compiled); break;
+    case GL_QUAD_STRIP: quad_strip(as, n); break;
+    case GL_POLYGON: polygon(as, n); break;
     default: break;
     }
+}
+
+static void filled(struct pipeline *p, const struct draw_prim *prim, uint32_t base, bool compiled)
+{
+    const struct assembly as = {p, NULL, prim->first, base, true};
+    polygons(&as, prim->mode, prim->count, compiled);
+}
+
+static void filled_elements(struct pipeline *p, const struct draw_prim *prim, const uint32_t *elements, uint32_t base)
+{
+    if (!elements)
+        return;
+    const struct assembly as = {p, elements, prim->first, base, true};
+    polygons(&as, prim->mode, prim->count, false);
+}
+
+static void in_polygon_mode(const struct assembly *as, GLenum mode, int n, bool compiled)
+{
+    polygons(as, mode, n, compiled);
+}
+
+void fgl_assemble(struct pipeline *p, const struct draw_prim *prim, const uint32_t *elements, uint32_t base, bool compiled)
+{
+    const struct assembly as = {p, elements, prim->first, base, false};
+    if (prim->mode < GL_TRIANGLES)
+        fgl_triangles_flush(p); /* in the order given */
+    if (prim->mode == GL_POINTS)
+        points(&as, prim->count);
+    else if (prim->mode < GL_TRIANGLES)
+        lines(&as, prim->mode, prim->count);
+    else if (!p->plan.polygon_fill)
+        in_polygon_mode(&as, prim->mode, prim->count, compiled);
+    else if (elements)
+        filled_elements(p, prim, elements, base);
+    else
+        filled(p, prim, base, compiled);
 }

@@ -24,6 +24,7 @@ void fgl_pipeline_destroy(struct pipeline *p)
     free(p->cache.record);
     free(p->cache.clip);
     free(p->cache.outcode);
+    free(p->cache.snapped);
     free(p->cache.edge_flag);
     free(p->elements);
     fgl_triangles_free(&p->triangles);
@@ -58,7 +59,7 @@ static bool reserve(struct vertex_cache *c, int n, int stride)
     const size_t room = (size_t)capacity + FGL_BATCH_PAD;
     if (!grow_array(&c->record, room * (size_t)fgl_max(stride, c->stride) * sizeof(float)) ||
         !grow_array(&c->clip, room * sizeof *c->clip) || !grow_array(&c->outcode, room * sizeof *c->outcode) ||
-        !grow_array(&c->edge_flag, room * sizeof *c->edge_flag))
+        !grow_array(&c->edge_flag, room * sizeof *c->edge_flag) || !grow_array(&c->snapped, room * sizeof *c->snapped))
         return false;
     c->capacity = capacity;
     c->stride = fgl_max(stride, c->stride);
@@ -78,8 +79,10 @@ static void store_batch(struct pipeline *p, const struct vertex_batch *b, int at
         for (int i = 0; i < b->n; i++)
             for (int k = 0; k < 4; k++)
                 c->clip[at + i][k] = b->clip.c[k][i];
-    if (p->plan.polygon_fill)
+    if (p->plan.polygon_fill) {
+        fgl_triangles_snap(b->win.c[0], b->win.c[1], b->outcode, b->n, c->snapped + at);
         return;
+    }
     const bool varying = b->varying & (1u << ATTR_EDGE_FLAG);
     for (int i = 0; i < b->n; i++)
         c->edge_flag[at + i] = varying ? b->in[ATTR_EDGE_FLAG].c[0][i] : p->plan.vertex.constant[ATTR_EDGE_FLAG][0];

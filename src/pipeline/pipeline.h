@@ -33,6 +33,7 @@ struct vertex_cache {
     float *record;    /* raster vertices, plan.emit.stride floats each */
     float (*clip)[4]; /* clip coordinates; written where a batch has any outcode */
     uint32_t *outcode;
+    struct snapped *snapped; /* written when polygons are filled */
     float *edge_flag; /* written when polygons are not filled */
 };
 

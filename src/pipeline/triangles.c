@@ -1,52 +1,53 @@
 #include "pipeline/triangles.h"
 #include "pipeline/pipeline.h"
+#include "raster/coverage.h"
 
 #include <stdlib.h>
 
 /* Fewer triangles, and less area, than this are not worth waking another thread for. */
-enum { SHARED_TRIANGLES = 2048, SHARED_AREA = 1 << 16, BANDS_PER_WORKER = 4, MIN_BAND_ROWS = 8 };
+enum { SHARED_TRIANGLES = 1024, SHARED_AREA = 1 << 16, BANDS_PER_WORKER = 4, MIN_BAND_ROWS = 8 };
 
 bool fgl_triangles_init(struct triangle_list *t)
 {
-    if (t->a)
-        return true;
-    uint32_t *words = malloc(sizeof *words * 5 * TRIANGLES_MAX);
-    if (!words)
-        return false;
-    t->a = words;
-    t->b = words + TRIANGLES_MAX;
-    t->c = words + 2 * TRIANGLES_MAX;
-    t->visible = words + 3 * TRIANGLES_MAX;
-    t->y0 = (int16_t *)(words + 4 * TRIANGLES_MAX);
-    t->y1 = t->y0 + TRIANGLES_MAX;
-    return true;
+    if (!t->triangle)
+        t->triangle = malloc(sizeof *t->triangle * TRIANGLES_MAX);
+    return t->triangle;
 }
 
 void fgl_triangles_free(struct triangle_list *t)
 {
-    free(t->a);
-    t->a = NULL;
+    free(t->triangle);
+    t->triangle = NULL;
 }
 
-static void cull_item(void *job, int item, int worker)
+void fgl_triangles_snap(const float *x, const float *y, const uint32_t *outcode, int n, struct snapped *out)
 {
-    (void)worker;
-    struct pipeline *p = job;
-    struct triangle_list *t = &p->triangles;
-    const int at = item * TRIANGLES_ITEM;
-    const struct cull_input in = {p->cache.record, p->plan.emit.stride, t->a + at, t->b + at, t->c + at, TRIANGLE_CLIP,
-                                  fgl_min(t->n - at, TRIANGLES_ITEM)};
-    t->visible_count[item] = p->plan.raster.kernels->cull(&p->plan.raster, &in, t->y0 + at, t->y1 + at, t->visible + at, &t->area[item]);
+    const float limit = RASTER_LIMIT;
+    for (int i = 0; i < n; i++) {
+        const bool near = (x[i] > -limit) & (x[i] < limit) & (y[i] > -limit) & (y[i] < limit) & (outcode[i] == 0);
+        out[i].x = near ? (int32_t)snap(x[i]) : SNAP_SPECIAL;
+        out[i].y = near ? (int32_t)snap(y[i]) : 0;
+    }
 }
 
-static void fill_triangle(struct pipeline *p, const struct raster_plan *raster, uint32_t a, uint32_t b, uint32_t c)
+void fgl_triangles_add_special(struct pipeline *p, uint32_t a, uint32_t b, uint32_t c)
+{
+    const uint32_t *out = p->cache.outcode;
+    struct triangle_list *t = &p->triangles;
+    const struct rect *bounds = &p->plan.raster.bounds;
+    if ((out[a] & out[b] & out[c]) || (out[a] | out[b] | out[c]) == 0) /* all outside of one plane, or too far away to draw */
+        return;
+    t->triangle[t->n++] = (struct listed_triangle){a, b, c, true, (int16_t)bounds->y0, (int16_t)bounds->y1};
+    t->area += (int64_t)(bounds->x1 - bounds->x0) * (bounds->y1 - bounds->y0);
+}
+
+static void fill_triangle(struct pipeline *p, const struct raster_plan *raster, const struct listed_triangle *t)
 {
     const struct vertex_cache *v = &p->cache;
     const size_t stride = (size_t)p->plan.emit.stride;
-    const bool clip = a & TRIANGLE_CLIP;
-    a &= ~(uint32_t)TRIANGLE_CLIP;
+    const uint32_t a = t->a, b = t->b, c = t->c;
     const float *va = v->record + a * stride, *vb = v->record + b * stride, *vc = v->record + c * stride;
-    if (!clip) {
+    if (!t->clip) {
         fgl_raster_triangle(raster, va, vb, vc, vc);
         return;
     }
@@ -60,7 +61,7 @@ static void fill_triangle(struct pipeline *p, const struct raster_plan *raster, 
 /* Fills all triangles of the list within the rows of one band. */
 struct fill_job {
     struct pipeline *p;
-    int items, bands;
+    int bands;
 };
 
 static void fill_band(void *arg, int band, int worker)
@@ -72,25 +73,9 @@ static void fill_band(void *arg, int band, int worker)
     const int height = raster.bounds.y1 - raster.bounds.y0, top = raster.bounds.y0;
     raster.bounds.y0 = top + height * band / job->bands;
     raster.bounds.y1 = top + height * (band + 1) / job->bands;
-    for (int item = 0; item < job->items; item++) {
-        const uint32_t *visible = t->visible + item * TRIANGLES_ITEM;
-        for (int k = 0; k < t->visible_count[item]; k++) {
-            const uint32_t i = (uint32_t)(item * TRIANGLES_ITEM) + visible[k];
-            if (t->y0[i] < raster.bounds.y1 && t->y1[i] > raster.bounds.y0)
-                fill_triangle(job->p, &raster, t->a[i], t->b[i], t->c[i]);
-        }
-    }
-}
-
-static void share(struct pipeline *p, bool worth, int items, fgl_task *task, void *job)
-{
-    struct workers *w = worth ? fgl_pipeline_workers(p) : NULL;
-    if (w) {
-        fgl_workers_run(w, items, task, job);
-        return;
-    }
-    for (int i = 0; i < items; i++)
-        task(job, i, 0);
+    for (int i = 0; i < t->n; i++)
+        if (t->triangle[i].y0 < raster.bounds.y1 && t->triangle[i].y1 > raster.bounds.y0)
+            fill_triangle(job->p, &raster, &t->triangle[i]);
 }
 
 void fgl_triangles_flush(struct pipeline *p)
@@ -98,21 +83,16 @@ void fgl_triangles_flush(struct pipeline *p)
     struct triangle_list *t = &p->triangles;
     if (t->n == 0)
         return;
-    const int items = (t->n + TRIANGLES_ITEM - 1) / TRIANGLES_ITEM;
-    share(p, t->n >= SHARED_TRIANGLES, items, cull_item, p);
-    int64_t area = 0;
-    int visible = 0;
-    for (int i = 0; i < items; i++) {
-        area += t->area[i];
-        visible += t->visible_count[i];
-    }
-    if (visible) {
-        const bool worth = visible > 1 && (visible >= SHARED_TRIANGLES || area >= SHARED_AREA);
+    const bool worth = t->n > 1 && (t->n >= SHARED_TRIANGLES || t->area >= SHARED_AREA);
+    struct workers *w = worth ? fgl_pipeline_workers(p) : NULL;
+    struct fill_job job = {p, 1};
+    if (w && fgl_workers_count(w) > 1) {
         const int height = p->plan.raster.bounds.y1 - p->plan.raster.bounds.y0;
-        const struct workers *w = worth ? fgl_pipeline_workers(p) : NULL;
-        const int workers = w ? fgl_workers_count(w) : 1;
-        struct fill_job job = {p, items, workers == 1 ? 1 : fgl_clamp(height / MIN_BAND_ROWS, 1, workers * BANDS_PER_WORKER)};
-        share(p, workers > 1, job.bands, fill_band, &job);
+        job.bands = fgl_clamp(height / MIN_BAND_ROWS, 1, fgl_workers_count(w) * BANDS_PER_WORKER);
+        fgl_workers_run(w, job.bands, fill_band, &job);
+    } else {
+        fill_band(&job, 0, 0);
     }
     t->n = 0;
+    t->area = 0;
 }

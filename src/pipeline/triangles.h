@@ -1,31 +1,64 @@
-/* The filled triangles of a draw, gathered so that culling them is one loop over arrays and filling them can be shared among threads.
- * Assembly adds; a flush culls and fills, in the order in which they were added, whatever the number of threads. */
+/* The filled triangles of a draw, gathered so that filling them can be shared among threads. Assembly adds those that may cover a pixel;
+ * a flush fills them in the order in which they were added, whatever the number of threads. */
 #ifndef FGL_PIPELINE_TRIANGLES_H
 #define FGL_PIPELINE_TRIANGLES_H
 
 #include "base/fgl.h"
+#include "raster/raster.h"
 
 struct pipeline;
 
-enum {
-    TRIANGLES_MAX = 1 << 16,
-    TRIANGLES_ITEM = 1024, /* culled together */
-    TRIANGLE_CLIP = 1 << 31 /* in a: some vertex is outside of the view volume */
+enum { TRIANGLES_MAX = 1 << 16 };
+
+/* A vertex's window position in 1/256 pixel, as the rasterizer rounds it: facing and extent of a triangle are read off three of these.
+ * SNAP_SPECIAL in x: outside of the view volume, or too far away for the rasterizer: see outcode and record. */
+struct snapped {
+    int32_t x, y;
 };
+#define SNAP_SPECIAL INT32_MIN
 
 /* Numbers of vertices in the cache, c provoking. */
+struct listed_triangle {
+    uint32_t a, b, c;
+    bool clip;      /* some vertex is outside of the view volume */
+    int16_t y0, y1; /* rows that it may cover */
+};
+
 struct triangle_list {
     int n;
-    uint32_t *a, *b, *c;                               /* TRIANGLES_MAX of each, allocated with the pipeline's first triangle */
-    int16_t *y0, *y1;                                  /* rows that the triangle may cover */
-    uint32_t *visible;                                 /* each item's triangles that are left, from the item's start on */
-    int visible_count[TRIANGLES_MAX / TRIANGLES_ITEM]; /* of each item */
-    int64_t area[TRIANGLES_MAX / TRIANGLES_ITEM];      /* of their bounding boxes, pixels */
+    int64_t area; /* of their bounding boxes, pixels */
+    struct listed_triangle *triangle; /* TRIANGLES_MAX, allocated by the first draw */
 };
 
 bool fgl_triangles_init(struct triangle_list *t);
 void fgl_triangles_free(struct triangle_list *t);
+/* n window positions: x, y arrays in, snapped out. outcode: outside where not 0. */
+void fgl_triangles_snap(const float *x, const float *y, const uint32_t *outcode, int n, struct snapped *out);
+/* A triangle with a vertex that is special. */
+void fgl_triangles_add_special(struct pipeline *p, uint32_t a, uint32_t b, uint32_t c);
 /* Draws and forgets what was gathered. */
 void fgl_triangles_flush(struct pipeline *p);
+
+static inline int fgl_min3(int a, int b, int c) { return fgl_min(fgl_min(a, b), c); }
+static inline int fgl_max3(int a, int b, int c) { return fgl_max(fgl_max(a, b), c); }
+
+/* Adds a triangle of three vertices that are not special, unless it is culled, has no area, or no pixel centre in its bounding box. The list
+ * has room. The tests are those of the rasterizer (raster/coverage.h), which makes them again. */
+static inline void fgl_triangles_add(struct triangle_list *t, const struct raster_plan *plan, const struct snapped *s, uint32_t a, uint32_t b,
+                                     uint32_t c)
+{
+    const struct snapped p = s[a], q = s[b], r = s[c];
+    const int64_t area = (int64_t)(p.x - q.x) * (r.y - p.y) - (int64_t)(r.x - p.x) * (p.y - q.y);
+    if (area > 0 ? plan->cull_ccw : area < 0 ? plan->cull_cw : true)
+        return;
+    const int x0 = fgl_max(plan->bounds.x0, (fgl_min3(p.x, q.x, r.x) + 255) >> 8);
+    const int x1 = fgl_min(plan->bounds.x1, (fgl_max3(p.x, q.x, r.x) + 255) >> 8);
+    const int y0 = fgl_max(plan->bounds.y0, (fgl_min3(p.y, q.y, r.y) >> 8) + 1);
+    const int y1 = fgl_min(plan->bounds.y1, (fgl_max3(p.y, q.y, r.y) >> 8) + 1);
+    if ((x0 >= x1) | (y0 >= y1))
+        return;
+    t->triangle[t->n++] = (struct listed_triangle){a, b, c, false, (int16_t)y0, (int16_t)y1};
+    t->area += (x1 - x0) * (y1 - y0);
+}
 
 #endif

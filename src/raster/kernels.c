@@ -42,8 +42,6 @@ static void setup_smooth_planes(const struct raster_plan *plan, struct planes *p
     planes->stipple = NULL;
 }
 
-enum { CULL_GROUP = 64 };
-
 /* Snaps, orients, culls, covers; then set-up, but only if a pixel is covered, and the fragments. */
 static FGL_ALWAYS_INLINE void draw_triangle(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2,
                                             const float *provoking, const enum smoothing smoothing)
@@ -95,73 +93,6 @@ static void smooth_triangle(const struct raster_plan *plan, const float *v0, con
         draw_triangle(plan, v0, v1, v2, provoking, SMOOTH_POINT);
 }
 
-/* The same as snap(), min and max as doubles, which vector units are better at. */
-static FGL_ALWAYS_INLINE double snap_double(float v) { return ((double)((v - 0.5f) * 256.0f) + ROUNDING_MAGIC) - ROUNDING_MAGIC; }
-static FGL_ALWAYS_INLINE double min3(double a, double b, double c) { return min_double(min_double(a, b), c); }
-static FGL_ALWAYS_INLINE double max3(double a, double b, double c) { return max_double(max_double(a, b), c); }
-
-/* Window x and y of the vertices of a group of triangles. */
-struct corners {
-    float x[3][CULL_GROUP], y[3][CULL_GROUP];
-};
-
-static FGL_ALWAYS_INLINE void load_corners(struct corners *to, const struct cull_input *in, int first, int n)
-{
-    const uint32_t *const number[3] = {in->a + first, in->b + first, in->c + first};
-    for (int k = 0; k < 3; k++)
-        for (int i = 0; i < n; i++) {
-            const float *v = in->record + (size_t)(number[k][i] & ~in->flag) * (size_t)in->stride;
-            to->x[k][i] = v[LANE_X];
-            to->y[k][i] = v[LANE_Y];
-        }
-}
-
-/* The rows and columns that each triangle may cover, none when it is culled: the arithmetic of draw_triangle, for many at a time. */
-static FGL_ALWAYS_INLINE void cull_boxes(const struct raster_plan *plan, const struct corners *v, int32_t *FGL_RESTRICT x0,
-                                         int32_t *FGL_RESTRICT x1, int32_t *FGL_RESTRICT y0, int32_t *FGL_RESTRICT y1)
-{
-    const double limit = 256.0 * RASTER_LIMIT;
-    const double drop_ccw = plan->cull_ccw ? -1.0 : 1.0, drop_cw = plan->cull_cw ? -1.0 : 1.0;
-    for (int i = 0; i < CULL_GROUP; i++) {
-        const double ax = snap_double(v->x[0][i]), bx = snap_double(v->x[1][i]), cx = snap_double(v->x[2][i]);
-        const double ay = snap_double(v->y[0][i]), by = snap_double(v->y[1][i]), cy = snap_double(v->y[2][i]);
-        const double area = (ax - bx) * (cy - ay) - (cx - ax) * (ay - by);
-        const double sign = area > 0.0 ? drop_ccw : area < 0.0 ? drop_cw : -1.0;
-        const double left = min3(ax, bx, cx), right = max3(ax, bx, cx), top = min3(ay, by, cy), bottom = max3(ay, by, cy);
-        const double keep = ((left > -limit) & (top > -limit) & (right < limit) & (bottom < limit)) ? sign : -1.0;
-        x0[i] = ((int32_t)(keep > 0.0 ? left : 0.0) + 255) >> 8;
-        x1[i] = ((int32_t)(keep > 0.0 ? right : 0.0) + 255) >> 8;
-        y0[i] = ((int32_t)(keep > 0.0 ? top : 0.0) >> 8) + 1;
-        y1[i] = ((int32_t)(keep > 0.0 ? bottom : 0.0) >> 8) + 1;
-    }
-}
-
-static int cull(const struct raster_plan *plan, const struct cull_input *in, int16_t *y0, int16_t *y1, uint32_t *visible, int64_t *area)
-{
-    const struct rect b = plan->bounds;
-    struct corners corners = {0};
-    int32_t left[CULL_GROUP], right[CULL_GROUP], top[CULL_GROUP], bottom[CULL_GROUP];
-    int count = 0;
-    *area = 0;
-    for (int first = 0; first < in->n; first += CULL_GROUP) {
-        const int n = fgl_min(CULL_GROUP, in->n - first);
-        load_corners(&corners, in, first, n);
-        cull_boxes(plan, &corners, left, right, top, bottom);
-        for (int i = 0; i < n; i++) {
-            const bool flagged = in->a[first + i] & in->flag;
-            const int width = flagged ? b.x1 - b.x0 : fgl_min(b.x1, right[i]) - fgl_max(b.x0, left[i]);
-            const int from = flagged ? b.y0 : fgl_max(b.y0, top[i]), to = flagged ? b.y1 : fgl_min(b.y1, bottom[i]);
-            const bool any = (width > 0) & (to > from);
-            y0[first + i] = (int16_t)from;
-            y1[first + i] = (int16_t)to;
-            visible[count] = (uint32_t)(first + i);
-            count += any;
-            *area += any ? (int64_t)width * (to - from) : 0;
-        }
-    }
-    return count;
-}
-
 static void quad(const struct raster_plan *plan, const struct polygon *corners, const struct planes *planes)
 {
     const struct extent extent = extent_of(corners, POLYGON_EDGES);
@@ -183,4 +114,4 @@ static void quad(const struct raster_plan *plan, const struct polygon *corners, 
 #define KERNELS(isa) NAME_OF(isa)
 
 extern const struct raster_kernels KERNELS(FGL_ISA);
-const struct raster_kernels KERNELS(FGL_ISA) = {cull, triangle, smooth_triangle, quad};
+const struct raster_kernels KERNELS(FGL_ISA) = {triangle, smooth_triangle, quad};

@@ -14,22 +14,10 @@ struct polygon {
     int64_t x[POLYGON_EDGES], y[POLYGON_EDGES];
 };
 
-/* Triangles to cull: numbers of their vertices' records. A number a with the flag stands for a triangle that is yet to be clipped. */
-struct cull_input {
-    const float *record;
-    int stride; /* floats from a record to the next */
-    const uint32_t *a, *b, *c;
-    uint32_t flag;
-    int n;
-};
-
 /* The kernels of one instruction set (kernels.c). Every set gives the same bytes. */
 struct raster_plan;
 typedef void raster_triangle_fn(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2, const float *provoking);
 struct raster_kernels {
-    /* Finds the rows y0 <= y < y1 that each triangle may cover; lists the numbers of those with any, flagged ones always, in `visible` and
-     * returns how many; *area: the sum of their bounding boxes in pixels. The rest are culled, degenerate or out of bounds. */
-    int (*cull)(const struct raster_plan *plan, const struct cull_input *in, int16_t *y0, int16_t *y1, uint32_t *visible, int64_t *area);
     raster_triangle_fn *triangle;
     /* half of a smooth line or point; the vertices have LANE_SMOOTH */
     void (*smooth_triangle)(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2, const float *provoking,
