@@ -332,6 +332,21 @@ static void polygon_offset_moves_depth(void **state)
     scene_end(&s);
 }
 
+/* Departure from OSMesa, which offsets filled polygons while any of the three is enabled. */
+static void polygon_offset_is_enabled_for_each_mode(void **state)
+{
+    static struct scene s;
+    (void)state;
+    scene_start(&s);
+    s.state.depth.depth_test = true;
+    s.state.polygon.polygon_offset_line = s.state.polygon.polygon_offset_point = true;
+    s.state.polygon.polygon_offset_units = -100.0f;
+    scene_validate(&s, COLOR_SMOOTH);
+    rectangle(&s, 0, 0, SIZE, SIZE, false);
+    assert_in_range(s.fb.depth[5 * s.fb.stride + 5], 8388607, 8388608);
+    scene_end(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -345,6 +360,7 @@ int main(void)
         cmocka_unit_test(polygon_stipple_starts_at_the_lower_left),
         cmocka_unit_test(planes_follow_the_rule),
         cmocka_unit_test(polygon_offset_moves_depth),
+        cmocka_unit_test(polygon_offset_is_enabled_for_each_mode),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
