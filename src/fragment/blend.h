@@ -1,12 +1,13 @@
-/* The general path's end: from colours to the buffer (GL 1.5, 4.1.7 "Blending", 4.1.9 "Logical Operation", 4.2.2 "Fine Control of Buffer
- * Updates"). */
+/* The general path's end: from colours to the buffer (GL 1.5, 4.1.7 "Blending", 4.1.9 "Logical
+ * Operation", 4.2.2 "Fine Control of Buffer Updates"). */
 #ifndef FGL_FRAGMENT_BLEND_H
 #define FGL_FRAGMENT_BLEND_H
 
 #include "fragment/pixel.h"
 
-/* OSMesa rule: normalised colour is rounded to the buffer's precision first; blending is then integer arithmetic, with one rounding for
- * each product and saturating sums. max is 2^n - 1; (t + (t >> n) + 2^(n-1)) >> n divides t by it. */
+/* OSMesa rule: normalised colour is rounded to the buffer's precision first; blending is then integer
+ * arithmetic, with one rounding for each product and saturating sums. max is 2^n - 1; (t + (t >> n) +
+ * 2^(n-1)) >> n divides t by it. */
 static FGL_ALWAYS_INLINE uint32_t norm_mul(uint32_t a, uint32_t b, uint32_t max)
 {
     const uint32_t t = a * b;
@@ -35,6 +36,7 @@ static FGL_ALWAYS_INLINE uint32_t norm_mul(uint32_t a, uint32_t b, uint32_t max)
 /* GL 1.5, table 4.2. Bits of source and destination, all of a channel's. */
 static inline void logic_op(GLenum op, uint32_t *FGL_RESTRICT s, const uint32_t *FGL_RESTRICT d, uint32_t max)
 {
+    /* clang-format off */
     switch (op) {
     case GL_CLEAR:         FOR_GROUP(i) s[i] = 0; break;
     case GL_AND:           FOR_GROUP(i) s[i] = s[i] & d[i]; break;
@@ -53,10 +55,14 @@ static inline void logic_op(GLenum op, uint32_t *FGL_RESTRICT s, const uint32_t 
     case GL_SET:           FOR_GROUP(i) s[i] = ~0u; break;
     default: break; /* GL_COPY */
     }
+    /* clang-format on */
     FOR_GROUP(i) s[i] &= max;
 }
 
-static inline uint32_t to_norm(float v, uint32_t max) { return (uint32_t)round_small(saturate(v) * (float)max); }
+static inline uint32_t to_norm(float v, uint32_t max)
+{
+    return (uint32_t)round_small(saturate(v) * (float)max);
+}
 
 /* UNORM8, UNORM16, 565. */
 static inline void write_norm(const struct fragments *f, const struct fragment_plan *plan)

@@ -1,11 +1,14 @@
-/* Blending (GL 1.5, 4.1.7 "Blending") for one type of channel. Before each inclusion define CHANNEL, the type, T(name), which makes the
- * names below its own, and, for values a and b, MUL(a, b), COMPLEMENT(a) = 1 - a, ADD(a, b) and SUB(a, b); `max` is the value of 1.0.
- * FACTOR_OUT: a factor that source and destination have in common multiplies their sum. Alpha is channel 3. */
+/* Blending (GL 1.5, 4.1.7 "Blending") for one type of channel. Before each inclusion define CHANNEL, the
+ * type, T(name), which makes the names below its own, and, for values a and b, MUL(a, b), COMPLEMENT(a) = 1 -
+ * a, ADD(a, b) and SUB(a, b); `max` is the value of 1.0. FACTOR_OUT: a factor that source and destination
+ * have in common multiplies their sum. Alpha is channel 3. */
 
 /* The factor of channel c, for each fragment. */
-static inline void T(factor)(GLenum factor, int c, const CHANNEL src[4][FRAGMENT_GROUP], const CHANNEL dst[4][FRAGMENT_GROUP],
-                             const CHANNEL constant[4], CHANNEL max, CHANNEL *FGL_RESTRICT f)
+static inline void T(factor)(GLenum factor, int c, const CHANNEL src[4][FRAGMENT_GROUP],
+                             const CHANNEL dst[4][FRAGMENT_GROUP], const CHANNEL constant[4], CHANNEL max,
+                             CHANNEL *FGL_RESTRICT f)
 {
+    /* clang-format off */
     switch (factor) {
     case GL_ZERO:                     FOR_GROUP(i) f[i] = 0; break;
     case GL_SRC_COLOR:                FOR_GROUP(i) f[i] = src[c][i]; break;
@@ -28,12 +31,14 @@ static inline void T(factor)(GLenum factor, int c, const CHANNEL src[4][FRAGMENT
         break;
     default: FOR_GROUP(i) f[i] = max; break; /* GL_ONE */
     }
+    /* clang-format on */
 }
 
 /* One channel of the blend equation. */
-static inline void T(blend_channel)(const struct color_buffer_state *s, int c, const CHANNEL src[4][FRAGMENT_GROUP],
-                                    const CHANNEL dst[4][FRAGMENT_GROUP], const CHANNEL constant[4], CHANNEL max,
-                                    CHANNEL *FGL_RESTRICT out)
+static inline void T(blend_channel)(const struct color_buffer_state *s, int c,
+                                    const CHANNEL src[4][FRAGMENT_GROUP],
+                                    const CHANNEL dst[4][FRAGMENT_GROUP], const CHANNEL constant[4],
+                                    CHANNEL max, CHANNEL *FGL_RESTRICT out)
 {
     CHANNEL sf[FRAGMENT_GROUP], df[FRAGMENT_GROUP];
     if (s->blend_equation == GL_MIN) { /* factors do not apply */
@@ -44,20 +49,25 @@ static inline void T(blend_channel)(const struct color_buffer_state *s, int c, c
         FOR_GROUP(i) out[i] = src[c][i] > dst[c][i] ? src[c][i] : dst[c][i];
         return;
     }
-    const GLenum src_factor = c == 3 ? s->blend_src_alpha : s->blend_src_rgb, dst_factor = c == 3 ? s->blend_dst_alpha : s->blend_dst_rgb;
-    const bool common = FACTOR_OUT && s->blend_src_rgb == s->blend_dst_rgb && s->blend_src_alpha == s->blend_dst_alpha;
+    const GLenum src_factor = c == 3 ? s->blend_src_alpha : s->blend_src_rgb,
+                 dst_factor = c == 3 ? s->blend_dst_alpha : s->blend_dst_rgb;
+    const bool common =
+            FACTOR_OUT && s->blend_src_rgb == s->blend_dst_rgb && s->blend_src_alpha == s->blend_dst_alpha;
     T(factor)(src_factor, c, src, dst, constant, max, sf);
     T(factor)(dst_factor, c, src, dst, constant, max, df);
     FOR_GROUP(i) {
-        const CHANNEL a = common ? src[c][i] : MUL(src[c][i], sf[i]), b = common ? dst[c][i] : MUL(dst[c][i], df[i]);
-        out[i] = s->blend_equation == GL_FUNC_SUBTRACT ? SUB(a, b) : s->blend_equation == GL_FUNC_ADD ? ADD(a, b) : SUB(b, a);
+        const CHANNEL a = common ? src[c][i] : MUL(src[c][i], sf[i]),
+                      b = common ? dst[c][i] : MUL(dst[c][i], df[i]);
+        out[i] = s->blend_equation == GL_FUNC_SUBTRACT ? SUB(a, b)
+                 : s->blend_equation == GL_FUNC_ADD    ? ADD(a, b)
+                                                       : SUB(b, a);
     }
     if (common)
         FOR_GROUP(i) out[i] = MUL(out[i], sf[i]);
 }
 
-static inline void T(blend)(const struct color_buffer_state *s, CHANNEL src[4][FRAGMENT_GROUP], const CHANNEL dst[4][FRAGMENT_GROUP],
-                            const CHANNEL constant[4], CHANNEL max)
+static inline void T(blend)(const struct color_buffer_state *s, CHANNEL src[4][FRAGMENT_GROUP],
+                            const CHANNEL dst[4][FRAGMENT_GROUP], const CHANNEL constant[4], CHANNEL max)
 {
     CHANNEL out[4][FRAGMENT_GROUP];
     for (int c = 0; c < 4; c++)

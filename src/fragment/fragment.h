@@ -1,7 +1,8 @@
-/* The fragment stage (GL 1.5, 3.8-3.11 and 4.1): interpolate, texture, secondary colour, fog, tests, blend, write. Layer 3.
+/* The fragment stage (GL 1.5, 3.8-3.11 and 4.1): interpolate, texture, secondary colour, fog, tests, blend,
+ * write. Layer 3.
  *
- * Validation fills a fragment_plan from state: only the stages that the state requires. The rasterizer then hands over
- * horizontal runs of covered pixels with the planes of their primitive. */
+ * Validation fills a fragment_plan from state: only the stages that the state requires. The rasterizer then
+ * hands over horizontal runs of covered pixels with the planes of their primitive. */
 #ifndef FGL_FRAGMENT_FRAGMENT_H
 #define FGL_FRAGMENT_FRAGMENT_H
 
@@ -12,14 +13,18 @@
 
 /* The lanes of a raster vertex (raster/raster.h) and of a primitive's planes. */
 enum {
-    LANE_X, LANE_Y, LANE_Z, LANE_OOW,
+    LANE_X,
+    LANE_Y,
+    LANE_Z,
+    LANE_OOW,
     LANE_COLOR = 4,     /* r g b a */
     LANE_SECONDARY = 8, /* r g b */
     LANE_FOG = 11,      /* |z_eye| or the fog coordinate */
     LANE_TEX0 = 12,     /* s t r q of each unit */
-    LANE_SMOOTH = LANE_TEX0 + 4 * FGL_MAX_TEXTURE_UNITS, /* enum smoothing: made by the rasterizer, not in vertices */
+    LANE_SMOOTH = LANE_TEX0 +
+                  4 * FGL_MAX_TEXTURE_UNITS, /* enum smoothing: made by the rasterizer, not in vertices */
     LANE_MAX = LANE_SMOOTH + 4,
-    LANE_GROUP = 4      /* planes are set up in whole groups of lanes */
+    LANE_GROUP = 4 /* planes are set up in whole groups of lanes */
 };
 
 enum color_source {
@@ -35,9 +40,9 @@ enum smoothing {
     SMOOTH_POINT /* x, y from the centre in radii, inner radius squared, 1 */
 };
 
-/* Attribute planes of one primitive: the value at integer pixel (X, Y), y down, is fma(dady, Y, fma(dadx, X, a00)).
- * Smooth attributes other than z and 1/w hold attribute/w and are divided by the plane of 1/w.
- * Flat colours have their value in a00 and zero gradients, and are not divided. */
+/* Attribute planes of one primitive: the value at integer pixel (X, Y), y down, is fma(dady, Y, fma(dadx, X,
+ * a00)). Smooth attributes other than z and 1/w hold attribute/w and are divided by the plane of 1/w. Flat
+ * colours have their value in a00 and zero gradients, and are not divided. */
 struct planes {
     float a00[LANE_MAX], dadx[LANE_MAX], dady[LANE_MAX];
     float z_offset; /* polygon offset, added to z before it is clamped */
@@ -45,15 +50,16 @@ struct planes {
     const struct polygon_stipple_state *stipple; /* NULL: none */
 };
 
-/* Covered pixels of consecutive rows, all inside the buffer: row y + i has the pixels x0[i] <= x < x1[i], or none. */
+/* Covered pixels of consecutive rows, all inside the buffer: row y + i has the pixels x0[i] <= x < x1[i], or
+ * none. */
 enum { RUNS_MAX = 64 };
 struct runs {
     int y, n;
     int32_t x0[RUNS_MAX], x1[RUNS_MAX];
 };
 
-/* Pixel rectangles (GL 1.5, 3.6.4): what comes from the image instead of from planes. Arrays by window x, as long as a row of the
- * framebuffer with its padding; NULL: as for other primitives. */
+/* Pixel rectangles (GL 1.5, 3.6.4): what comes from the image instead of from planes. Arrays by window x, as
+ * long as a row of the framebuffer with its padding; NULL: as for other primitives. */
 struct pixel_inputs {
     const float *color[4]; /* all or none */
     const float *depth;    /* [0,1] */
@@ -61,13 +67,15 @@ struct pixel_inputs {
 
 /* Draws the covered pixels of one primitive. */
 struct fragment_plan;
-typedef void fragment_fill_fn(const struct fragment_plan *plan, const struct planes *planes, const struct runs *runs);
+typedef void fragment_fill_fn(const struct fragment_plan *plan, const struct planes *planes,
+                              const struct runs *runs);
 
 enum depth_kind { DEPTH_OFF, DEPTH_LESS, DEPTH_LEQUAL, DEPTH_KINDS };
 
 /* The kernels of one instruction set (kernels.c). Every set gives the same bytes. */
 struct fragment_kernels {
-    /* COLOR_UNORM8 with all channels written; depth written where it is tested; no other stage, no smoothing, no stipple */
+    /* COLOR_UNORM8 with all channels written; depth written where it is tested; no other stage, no smoothing,
+     * no stipple */
     fragment_fill_fn *fused[DEPTH_KINDS][COLOR_SMOOTH + 1];
     fragment_fill_fn *general; /* everything that a plan and planes can ask for */
 };
@@ -81,7 +89,8 @@ struct fragment_plan {
     bool has_secondary; /* separate specular or colour sum: LANE_SECONDARY */
     bool has_fog;
     GLenum fog_mode;
-    float fog_p, fog_q, fog_k, fog_color[4]; /* OSMesa's: linear f = z*p+q, exp k = density*log2 e, exp2 k' = density*sqrt(log2 e) */
+    float fog_p, fog_q, fog_k, fog_color[4]; /* OSMesa's: linear f = z*p+q, exp k = density*log2 e, exp2 k' =
+                                                density*sqrt(log2 e) */
 
     bool alpha_test, depth_test, depth_write, stencil_test, blend, logic_op, color_write;
     bool channel_write[4];
@@ -94,9 +103,10 @@ struct fragment_plan {
     struct framebuffer *fb;
 };
 
-/* Fills *plan from state, but color_source, constant_color and has_secondary: these depend on the vertex stage, and the caller has
- * set them before. general: no fused kernel (FIXEDGL_PATH=general). */
-void fgl_fragment_validate(struct fragment_plan *plan, const struct server_state *s, struct framebuffer *fb, bool general);
+/* Fills *plan from state, but color_source, constant_color and has_secondary: these depend on the vertex
+ * stage, and the caller has set them before. general: no fused kernel (FIXEDGL_PATH=general). */
+void fgl_fragment_validate(struct fragment_plan *plan, const struct server_state *s, struct framebuffer *fb,
+                           bool general);
 
 /* The kernels of the processor's best instruction set, and of any that fgl_cpu_has. */
 const struct fragment_kernels *fgl_fragment_kernels(void);

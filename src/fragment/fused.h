@@ -1,5 +1,6 @@
-/* The fused kernels: depth test, interpolation and write in one pass, for plans with no other stage (GL 1.5, 4.1.5 "Depth
- * Buffer Test" and the write of 4.2). One body; its flags are constants in each instance. */
+/* The fused kernels: depth test, interpolation and write in one pass, for plans with no other stage
+ * (GL 1.5, 4.1.5 "Depth Buffer Test" and the write of 4.2). One body; its flags are constants in each
+ * instance. */
 #ifndef FGL_FRAGMENT_FUSED_H
 #define FGL_FRAGMENT_FUSED_H
 
@@ -15,9 +16,10 @@ struct fused_row {
     uint32_t *color;
 };
 
-/* The depth test: writes the depth of the pixels that pass, marks them in live (all bits or none). Returns whether any does. */
-static FGL_ALWAYS_INLINE bool fused_depth(const struct planes *p, const struct fused_row *row, int x, int32_t *FGL_RESTRICT live,
-                                          const enum depth_kind kind)
+/* The depth test: writes the depth of the pixels that pass, marks them in live (all bits or none). Returns
+ * whether any does. */
+static FGL_ALWAYS_INLINE bool fused_depth(const struct planes *p, const struct fused_row *row, int x,
+                                          int32_t *FGL_RESTRICT live, const enum depth_kind kind)
 {
     int32_t *FGL_RESTRICT depth = row->depth + x;
     int32_t any = 0;
@@ -36,23 +38,25 @@ static FGL_ALWAYS_INLINE bool fused_depth(const struct planes *p, const struct f
     return any != 0;
 }
 
-static FGL_ALWAYS_INLINE void fused_color(const struct planes *p, const struct fused_row *row, int x, const int32_t *FGL_RESTRICT live,
-                                          const enum color_source source)
+static FGL_ALWAYS_INLINE void fused_color(const struct planes *p, const struct fused_row *row, int x,
+                                          const int32_t *FGL_RESTRICT live, const enum color_source source)
 {
     uint32_t *FGL_RESTRICT color = row->color + x;
     for (int i = 0; i < FRAGMENT_GROUP; i++) {
         uint32_t c = row->flat_color;
         if (source == COLOR_SMOOTH) {
             const float fx = (float)(x + i), w = 1.0f / plane_at(p, LANE_OOW, fx, row->y);
-            c = pack_unorm8(plane_at(p, LANE_COLOR + 0, fx, row->y) * w, plane_at(p, LANE_COLOR + 1, fx, row->y) * w,
-                            plane_at(p, LANE_COLOR + 2, fx, row->y) * w, plane_at(p, LANE_COLOR + 3, fx, row->y) * w);
+            c = pack_unorm8(
+                    plane_at(p, LANE_COLOR + 0, fx, row->y) * w, plane_at(p, LANE_COLOR + 1, fx, row->y) * w,
+                    plane_at(p, LANE_COLOR + 2, fx, row->y) * w, plane_at(p, LANE_COLOR + 3, fx, row->y) * w);
         }
         color[i] = live[i] ? c : color[i];
     }
 }
 
-static FGL_ALWAYS_INLINE void fused_fill(const struct fragment_plan *plan, const struct planes *planes, const struct runs *runs,
-                                         const enum depth_kind kind, const enum color_source source)
+static FGL_ALWAYS_INLINE void fused_fill(const struct fragment_plan *plan, const struct planes *planes,
+                                         const struct runs *runs, const enum depth_kind kind,
+                                         const enum color_source source)
 {
     const struct framebuffer *fb = plan->fb;
     const ptrdiff_t stride = fb->stride;
@@ -78,10 +82,10 @@ static FGL_ALWAYS_INLINE void fused_fill(const struct fragment_plan *plan, const
     }
 }
 
-#define FUSED(name, kind, source)                                                                                      \
-    static void name(const struct fragment_plan *plan, const struct planes *planes, const struct runs *runs)          \
-    {                                                                                                                  \
-        fused_fill(plan, planes, runs, kind, source);                                                                  \
+#define FUSED(name, kind, source)                                                                            \
+    static void name(const struct fragment_plan *plan, const struct planes *planes, const struct runs *runs) \
+    {                                                                                                        \
+        fused_fill(plan, planes, runs, kind, source);                                                        \
     }
 FUSED(fill_constant, DEPTH_OFF, COLOR_CONSTANT)
 FUSED(fill_flat, DEPTH_OFF, COLOR_FLAT)

@@ -1,11 +1,13 @@
-/* The general path: everything that a plan can ask for, a stage after the other in the order of GL 1.5, 3.8-3.10 and 4.1, a group at a
- * time. Whatever the fused kernels draw, it draws to the same bytes. */
+/* The general path: everything that a plan can ask for, a stage after the other in the order of
+ * GL 1.5, 3.8-3.10 and 4.1, a group at a time. Whatever the fused kernels draw, it draws to the same bytes.
+ */
 #ifndef FGL_FRAGMENT_GENERAL_H
 #define FGL_FRAGMENT_GENERAL_H
 
 #include "fragment/blend.h"
 
-static void general_group(const struct fragment_plan *plan, const struct planes *planes, int row, int x, int x0, int x1)
+static void general_group(const struct fragment_plan *plan, const struct planes *planes, int row, int x,
+                          int x0, int x1)
 {
     struct fragments f;
     start_fragments(&f, plan, planes, row, x, x0, x1);
@@ -28,7 +30,8 @@ static void general_group(const struct fragment_plan *plan, const struct planes 
         write_norm(&f, plan);
 }
 
-static void general_fill(const struct fragment_plan *plan, const struct planes *planes, const struct runs *runs)
+static void general_fill(const struct fragment_plan *plan, const struct planes *planes,
+                         const struct runs *runs)
 {
     for (int i = 0; i < runs->n; i++) {
         const int x0 = runs->x0[i], x1 = runs->x1[i];

@@ -1,4 +1,5 @@
-/* The general path's first half: from planes to a colour (GL 1.5, 3.5.1 "Basic Polygon Rasterization", 3.9 "Color Sum", 3.10 "Fog"). */
+/* The general path's first half: from planes to a colour (GL 1.5, 3.5.1 "Basic Polygon Rasterization", 3.9
+ * "Color Sum", 3.10 "Fog"). */
 #ifndef FGL_FRAGMENT_INTERPOLATE_H
 #define FGL_FRAGMENT_INTERPOLATE_H
 
@@ -21,9 +22,10 @@ static inline bool any_live(const struct fragments *f)
     return any != 0;
 }
 
-/* The pixels of the run, less those that a polygon stipple leaves out (GL 1.5, 3.5.2: window coordinates modulo 32, row 0 lowest). */
-static inline void start_fragments(struct fragments *f, const struct fragment_plan *plan, const struct planes *p, int row, int x,
-                                   int x0, int x1)
+/* The pixels of the run, less those that a polygon stipple leaves out (GL 1.5, 3.5.2: window coordinates
+ * modulo 32, row 0 lowest). */
+static inline void start_fragments(struct fragments *f, const struct fragment_plan *plan,
+                                   const struct planes *p, int row, int x, int x0, int x1)
 {
     uint32_t stipple = 0xffffffff;
     if (p->stipple)
@@ -32,11 +34,13 @@ static inline void start_fragments(struct fragments *f, const struct fragment_pl
     f->row = row;
     f->fy = (float)row;
     FOR_GROUP(i) f->fx[i] = (float)(x + i);
-    FOR_GROUP(i) f->live[i] = -((x + i >= x0) & (x + i < x1) & (int32_t)(stipple >> (31 - ((x + i) & 31)) & 1));
+    FOR_GROUP(i)
+        f->live[i] = -((x + i >= x0) & (x + i < x1) & (int32_t)(stipple >> (31 - ((x + i) & 31)) & 1));
     FOR_GROUP(i) f->w[i] = 1.0f / plane_at(p, LANE_OOW, f->fx[i], f->fy);
 }
 
-static inline void interpolate_color(struct fragments *f, const struct fragment_plan *plan, const struct planes *p)
+static inline void interpolate_color(struct fragments *f, const struct fragment_plan *plan,
+                                     const struct planes *p)
 {
     if (plan->pixels && plan->pixels->color[0]) {
         for (int c = 0; c < 4; c++)
@@ -44,7 +48,8 @@ static inline void interpolate_color(struct fragments *f, const struct fragment_
         return;
     }
     for (int c = 0; c < 4; c++) {
-        const float flat = plan->color_source == COLOR_FLAT ? p->a00[LANE_COLOR + c] : plan->constant_color[c];
+        const float flat =
+                plan->color_source == COLOR_FLAT ? p->a00[LANE_COLOR + c] : plan->constant_color[c];
         if (plan->color_source == COLOR_SMOOTH)
             FOR_GROUP(i) f->color[c][i] = plane_at(p, LANE_COLOR + c, f->fx[i], f->fy) * f->w[i];
         else
@@ -52,7 +57,8 @@ static inline void interpolate_color(struct fragments *f, const struct fragment_
     }
 }
 
-static inline void add_secondary_color(struct fragments *f, const struct fragment_plan *plan, const struct planes *p)
+static inline void add_secondary_color(struct fragments *f, const struct fragment_plan *plan,
+                                       const struct planes *p)
 {
     for (int c = 0; c < 3; c++) {
         const float flat = p->a00[LANE_SECONDARY + c];
@@ -81,15 +87,17 @@ static inline void apply_fog(struct fragments *f, const struct fragment_plan *pl
     }
 }
 
-/* Antialiased lines and points: alpha times coverage (GL 1.5, 3.3.2, 3.4.3). OSMesa rules: a line's coverage falls to 0 over the outermost pixel
- * of its rectangle; a point is a disc without soft edge, and alpha is raised towards its centre. */
+/* Antialiased lines and points: alpha times coverage (GL 1.5, 3.3.2, 3.4.3). OSMesa rules: a line's coverage
+ * falls to 0 over the outermost pixel of its rectangle; a point is a disc without soft edge, and alpha is
+ * raised towards its centre. */
 static inline void apply_smoothing(struct fragments *f, const struct planes *p)
 {
     float s[4][FRAGMENT_GROUP];
     for (int c = 0; c < 4; c++)
         FOR_GROUP(i) s[c][i] = plane_at(p, LANE_SMOOTH + c, f->fx[i], f->fy) * f->w[i];
     if (p->smoothing == SMOOTH_LINE) {
-        FOR_GROUP(i) f->color[3][i] *= saturate(s[1][i] - fabsf(s[0][i])) * saturate(s[3][i] - fabsf(s[2][i]));
+        FOR_GROUP(i)
+            f->color[3][i] *= saturate(s[1][i] - fabsf(s[0][i])) * saturate(s[3][i] - fabsf(s[2][i]));
     } else {
         FOR_GROUP(i) {
             const float d2 = s[0][i] * s[0][i] + s[1][i] * s[1][i], inner2 = s[2][i], one = s[3][i];

@@ -1,5 +1,5 @@
-/* The fragment kernels of one instruction set. The build compiles this file once for each set, with FGL_ISA naming it
- * (sse2, avx2, avx512; base elsewhere) and the compiler's options to match. */
+/* The fragment kernels of one instruction set. The build compiles this file once for each set, with FGL_ISA
+ * naming it (sse2, avx2, avx512; base elsewhere) and the compiler's options to match. */
 #include "fragment/fused.h"
 #include "fragment/general.h"
 
@@ -8,8 +8,8 @@
 
 extern const struct fragment_kernels KERNELS(FGL_ISA);
 const struct fragment_kernels KERNELS(FGL_ISA) = {
-    .fused = {[DEPTH_OFF] = {fill_constant, fill_flat, fill_smooth},
-              [DEPTH_LESS] = {fill_constant_less, fill_flat_less, fill_smooth_less},
-              [DEPTH_LEQUAL] = {fill_constant_lequal, fill_flat_lequal, fill_smooth_lequal}},
-    .general = general_fill,
+        .fused = {[DEPTH_OFF] = {fill_constant, fill_flat, fill_smooth},
+                  [DEPTH_LESS] = {fill_constant_less, fill_flat_less, fill_smooth_less},
+                  [DEPTH_LEQUAL] = {fill_constant_lequal, fill_flat_lequal, fill_smooth_lequal}},
+        .general = general_fill,
 };

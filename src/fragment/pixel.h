@@ -1,10 +1,14 @@
-/* Colour between the buffer's formats (enum color_kind) and an array for each channel. 565 is worked on with 8 bits a channel. */
+/* Colour between the buffer's formats (enum color_kind) and an array for each channel. 565 is worked on with
+ * 8 bits a channel. */
 #ifndef FGL_FRAGMENT_PIXEL_H
 #define FGL_FRAGMENT_PIXEL_H
 
 #include "fragment/tests.h"
 
-static inline ptrdiff_t pixel_index(const struct framebuffer *fb, int row, int x) { return row * (ptrdiff_t)fb->stride + x; }
+static inline ptrdiff_t pixel_index(const struct framebuffer *fb, int row, int x)
+{
+    return row * (ptrdiff_t)fb->stride + x;
+}
 
 /* Red at `shift` of a 565 pixel with n bits, repeated to fill 8. */
 static FGL_ALWAYS_INLINE uint32_t expand(uint32_t pixel, int shift, int n)
@@ -35,7 +39,8 @@ static inline void load_norm(const struct framebuffer *fb, int row, int x, uint3
         FOR_GROUP(i) dst[3][i] = fb->color_kind == COLOR_UNORM16 ? 65535 : 255;
 }
 
-static inline void store_norm(const struct framebuffer *fb, int row, int x, const uint32_t src[4][FRAGMENT_GROUP])
+static inline void store_norm(const struct framebuffer *fb, int row, int x,
+                              const uint32_t src[4][FRAGMENT_GROUP])
 {
     const ptrdiff_t at = pixel_index(fb, row, x);
     if (fb->color_kind == COLOR_UNORM8) {
@@ -58,7 +63,8 @@ static inline void load_float(const struct framebuffer *fb, int row, int x, floa
         FOR_GROUP(i) dst[c][i] = c == 3 && !fb->has_alpha ? 1.0f : p[4 * i + c];
 }
 
-static inline void store_float(const struct framebuffer *fb, int row, int x, const float src[4][FRAGMENT_GROUP])
+static inline void store_float(const struct framebuffer *fb, int row, int x,
+                               const float src[4][FRAGMENT_GROUP])
 {
     float *p = (float *)fb->color + 4 * pixel_index(fb, row, x);
     for (int c = 0; c < 4; c++)

@@ -4,15 +4,18 @@
 
 #include "fragment/interpolate.h"
 
-/* The eight comparisons, GL_NEVER to GL_ALWAYS: the lowest three bits of the enum say whether less, equal and greater pass. */
+/* The eight comparisons, GL_NEVER to GL_ALWAYS: the lowest three bits of the enum say whether less, equal and
+ * greater pass. */
 static FGL_ALWAYS_INLINE int32_t compare(GLenum func, int32_t a, int32_t b)
 {
-    return -(((int32_t)func & (a < b)) | ((int32_t)(func >> 1) & (a == b)) | ((int32_t)(func >> 2) & (a > b)));
+    return -(((int32_t)func & (a < b)) | ((int32_t)(func >> 1) & (a == b)) |
+             ((int32_t)(func >> 2) & (a > b)));
 }
 
 static FGL_ALWAYS_INLINE int32_t compare_float(GLenum func, float a, float b)
 {
-    return -(((int32_t)func & (a < b)) | ((int32_t)(func >> 1) & (a == b)) | ((int32_t)(func >> 2) & (a > b)));
+    return -(((int32_t)func & (a < b)) | ((int32_t)(func >> 1) & (a == b)) |
+             ((int32_t)(func >> 2) & (a > b)));
 }
 
 /* OSMesa rule: 8-bit colour is rounded to 8 bits before it is compared, alpha and reference. */
@@ -29,8 +32,10 @@ static inline void alpha_test(struct fragments *f, const struct fragment_plan *p
 }
 
 /* What a stencil operation makes of 8-bit values. */
-static inline void stencil_operation(GLenum op, int32_t ref, const int32_t *FGL_RESTRICT old, int32_t *FGL_RESTRICT result)
+static inline void stencil_operation(GLenum op, int32_t ref, const int32_t *FGL_RESTRICT old,
+                                     int32_t *FGL_RESTRICT result)
 {
+    /* clang-format off */
     switch (op) {
     case GL_ZERO:      FOR_GROUP(i) result[i] = 0; break;
     case GL_REPLACE:   FOR_GROUP(i) result[i] = ref; break;
@@ -41,23 +46,26 @@ static inline void stencil_operation(GLenum op, int32_t ref, const int32_t *FGL_
     case GL_INVERT:    FOR_GROUP(i) result[i] = ~old[i] & 255; break;
     default:           FOR_GROUP(i) result[i] = old[i]; break; /* GL_KEEP */
     }
+    /* clang-format on */
 }
 
 /* The depth of each fragment, and which pass. */
-static inline void depth_compare(struct fragments *f, const struct fragment_plan *plan, const struct planes *p, const int32_t *old,
-                                 int32_t *pass)
+static inline void depth_compare(struct fragments *f, const struct fragment_plan *plan,
+                                 const struct planes *p, const int32_t *old, int32_t *pass)
 {
     const float depth_max = (float)plan->fb->depth_max;
     const float *given = plan->pixels ? plan->pixels->depth : NULL;
     if (given)
         FOR_GROUP(i) f->depth[i] = depth_from_z(given[f->x + i], depth_max);
     else
-        FOR_GROUP(i) f->depth[i] = depth_from_z(plane_at(p, LANE_Z, f->fx[i], f->fy) + p->z_offset, depth_max);
+        FOR_GROUP(i)
+            f->depth[i] = depth_from_z(plane_at(p, LANE_Z, f->fx[i], f->fy) + p->z_offset, depth_max);
     FOR_GROUP(i) pass[i] = compare(plan->depth_func, f->depth[i], old[i]);
 }
 
 /* Stencil and depth together, since the stencil's new value depends on both. */
-static inline void stencil_depth_test(struct fragments *f, const struct fragment_plan *plan, const struct planes *p)
+static inline void stencil_depth_test(struct fragments *f, const struct fragment_plan *plan,
+                                      const struct planes *p)
 {
     const struct framebuffer *fb = plan->fb;
     const ptrdiff_t at = f->row * (ptrdiff_t)fb->stride + f->x;
@@ -70,8 +78,10 @@ static inline void stencil_depth_test(struct fragments *f, const struct fragment
     if (plan->stencil_test) {
         const struct stencil_state *s = &plan->stencil;
         uint8_t *stencil = fb->stencil + at;
-        const int32_t value_mask = s->stencil_value_mask & 255, write_mask = s->stencil_writemask & 255, ref = fgl_clamp(s->stencil_ref, 0, 255);
-        int32_t old[FRAGMENT_GROUP], ok[FRAGMENT_GROUP], fail[FRAGMENT_GROUP], zfail[FRAGMENT_GROUP], zpass[FRAGMENT_GROUP];
+        const int32_t value_mask = s->stencil_value_mask & 255, write_mask = s->stencil_writemask & 255,
+                      ref = fgl_clamp(s->stencil_ref, 0, 255);
+        int32_t old[FRAGMENT_GROUP], ok[FRAGMENT_GROUP], fail[FRAGMENT_GROUP], zfail[FRAGMENT_GROUP],
+                zpass[FRAGMENT_GROUP];
         FOR_GROUP(i) old[i] = stencil[i];
         FOR_GROUP(i) ok[i] = compare(s->stencil_func, ref & value_mask, old[i] & value_mask);
         stencil_operation(s->stencil_fail, ref, old, fail);

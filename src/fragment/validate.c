@@ -1,4 +1,5 @@
-/* From state to the fragment plan: the stages that the state requires, and a fused kernel where there is one for just these. */
+/* From state to the fragment plan: the stages that the state requires, and a fused kernel where there is one
+ * for just these. */
 #include "fragment/fragment.h"
 
 /* Lanes that the stages read, in whole groups. */
@@ -26,17 +27,20 @@ static void validate_fog(struct fragment_plan *plan, const struct fog_state *fog
 static fragment_fill_fn *fused_kernel(const struct fragment_plan *plan)
 {
     const bool *write = plan->channel_write;
-    if (plan->fb->color_kind != COLOR_UNORM8 || plan->has_secondary || plan->has_fog || plan->alpha_test || plan->stencil_test ||
-        plan->blend || plan->logic_op || !(write[0] && write[1] && write[2] && write[3]))
+    if (plan->fb->color_kind != COLOR_UNORM8 || plan->has_secondary || plan->has_fog || plan->alpha_test ||
+        plan->stencil_test || plan->blend || plan->logic_op ||
+        !(write[0] && write[1] && write[2] && write[3]))
         return NULL;
     if (!plan->depth_test)
         return fgl_fragment_kernels()->fused[DEPTH_OFF][plan->color_source];
     if (!plan->depth_write || (plan->depth_func != GL_LESS && plan->depth_func != GL_LEQUAL))
         return NULL;
-    return fgl_fragment_kernels()->fused[plan->depth_func == GL_LESS ? DEPTH_LESS : DEPTH_LEQUAL][plan->color_source];
+    return fgl_fragment_kernels()
+            ->fused[plan->depth_func == GL_LESS ? DEPTH_LESS : DEPTH_LEQUAL][plan->color_source];
 }
 
-void fgl_fragment_validate(struct fragment_plan *plan, const struct server_state *s, struct framebuffer *fb, bool general)
+void fgl_fragment_validate(struct fragment_plan *plan, const struct server_state *s, struct framebuffer *fb,
+                           bool general)
 {
     const struct color_buffer_state *color = &s->color_buffer;
     plan->fb = fb;

@@ -1,11 +1,12 @@
-/* Filled polygons (GL 1.5, 3.5 "Polygons"), for one instruction set. The build compiles this file once for each set, with FGL_ISA
- * naming it (sse2, avx2, avx512; base elsewhere) and the compiler's options to match. */
+/* Filled polygons (GL 1.5, 3.5 "Polygons"), for one instruction set. The build compiles this file once for
+ * each set, with FGL_ISA naming it (sse2, avx2, avx512; base elsewhere) and the compiler's options to match.
+ */
 #include "raster/coverage.h"
 #include "raster/setup.h"
 
 /* The planes of a triangle whose facing is known. Vertices are in set-up order. */
-static FGL_ALWAYS_INLINE void setup_planes(const struct raster_plan *plan, struct planes *planes, const float *const v[3],
-                                           const float *provoking, bool front)
+static FGL_ALWAYS_INLINE void setup_planes(const struct raster_plan *plan, struct planes *planes,
+                                           const float *const v[3], const float *provoking, bool front)
 {
     const struct gradients g = gradients_of(v);
     const bool back = plan->two_sided && !front, secondary = plan->fragment->has_secondary;
@@ -27,8 +28,8 @@ static FGL_ALWAYS_INLINE void setup_planes(const struct raster_plan *plan, struc
 }
 
 /* The triangles of a smooth line or point: no culling, no offset, no stipple. */
-static void setup_smooth_planes(const struct raster_plan *plan, struct planes *planes, const float *const v[3], const float *provoking,
-                                enum smoothing smoothing)
+static void setup_smooth_planes(const struct raster_plan *plan, struct planes *planes,
+                                const float *const v[3], const float *provoking, enum smoothing smoothing)
 {
     const struct gradients g = gradients_of(v);
     for (int lane = LANE_COLOR; lane < plan->lanes; lane += LANE_GROUP)
@@ -43,10 +44,12 @@ static void setup_smooth_planes(const struct raster_plan *plan, struct planes *p
 }
 
 /* Snaps, orients, culls, covers; then set-up, but only if a pixel is covered, and the fragments. */
-static FGL_ALWAYS_INLINE void draw_triangle(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2,
-                                            const float *provoking, const enum smoothing smoothing)
+static FGL_ALWAYS_INLINE void draw_triangle(const struct raster_plan *plan, const float *v0, const float *v1,
+                                            const float *v2, const float *provoking,
+                                            const enum smoothing smoothing)
 {
-    const struct polygon p = {{snap(v0[LANE_X]), snap(v1[LANE_X]), snap(v2[LANE_X])}, {snap(v0[LANE_Y]), snap(v1[LANE_Y]), snap(v2[LANE_Y])}};
+    const struct polygon p = {{snap(v0[LANE_X]), snap(v1[LANE_X]), snap(v2[LANE_X])},
+                              {snap(v0[LANE_Y]), snap(v1[LANE_Y]), snap(v2[LANE_Y])}};
     const struct extent extent = extent_of(&p, 3);
     if (!extent_within_limit(extent))
         return;
@@ -79,13 +82,14 @@ static FGL_ALWAYS_INLINE void draw_triangle(const struct raster_plan *plan, cons
     }
 }
 
-static void triangle(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2, const float *provoking)
+static void triangle(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2,
+                     const float *provoking)
 {
     draw_triangle(plan, v0, v1, v2, provoking, SMOOTH_NONE);
 }
 
-static void smooth_triangle(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2, const float *provoking,
-                            enum smoothing smoothing)
+static void smooth_triangle(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2,
+                            const float *provoking, enum smoothing smoothing)
 {
     if (smoothing == SMOOTH_LINE)
         draw_triangle(plan, v0, v1, v2, provoking, SMOOTH_LINE);

@@ -3,7 +3,10 @@
 #include "raster/setup.h"
 
 /* Half away from zero. */
-static int nearest(float v) { return (int)(v >= 0.0f ? v + 0.5f : v - 0.5f); }
+static int nearest(float v)
+{
+    return (int)(v >= 0.0f ? v + 0.5f : v - 0.5f);
+}
 
 /* Attributes do not change over a point. */
 static void point_planes(const struct raster_plan *plan, struct planes *p, const float *v)
@@ -18,14 +21,18 @@ static void point_planes(const struct raster_plan *plan, struct planes *p, const
 }
 
 /* The first column or row of n that has the centre v, in 1/256 pixel. */
-static int first_pixel(int v, int n) { return n & 1 ? (v >> 8) - (n - 1) / 2 : ((v + 128) >> 8) - n / 2; }
+static int first_pixel(int v, int n)
+{
+    return n & 1 ? (v >> 8) - (n - 1) / 2 : ((v + 128) >> 8) - n / 2;
+}
 
 static void aliased_point(const struct raster_plan *plan, const float *v, float size)
 {
     const int n = (int)(round_even(256.0 * (double)fmaxf(1.0f, size)) + 127) >> 8; /* halves go down */
-    const int x = first_pixel(nearest(v[LANE_X] * 256.0f), n), y = first_pixel(nearest(v[LANE_Y] * 256.0f) - 1, n);
-    const struct rect b = {fgl_max(plan->bounds.x0, x), fgl_max(plan->bounds.y0, y), fgl_min(plan->bounds.x1, x + n),
-                           fgl_min(plan->bounds.y1, y + n)};
+    const int x = first_pixel(nearest(v[LANE_X] * 256.0f), n),
+              y = first_pixel(nearest(v[LANE_Y] * 256.0f) - 1, n);
+    const struct rect b = {fgl_max(plan->bounds.x0, x), fgl_max(plan->bounds.y0, y),
+                           fgl_min(plan->bounds.x1, x + n), fgl_min(plan->bounds.y1, y + n)};
     struct planes planes;
     struct runs runs;
     if (b.x0 >= b.x1)
@@ -44,7 +51,8 @@ static void aliased_point(const struct raster_plan *plan, const float *v, float 
 /* A square of two triangles around a disc; the fragment stage drops what lies outside the disc. */
 static void smooth_point(const struct raster_plan *plan, const float *v, float size)
 {
-    const float radius = fmaxf(1.0f, size * 0.5f), pixel = 1.0f / radius, inner2 = 1.0f - 2.0f * pixel + pixel * pixel;
+    const float radius = fmaxf(1.0f, size * 0.5f), pixel = 1.0f / radius,
+                inner2 = 1.0f - 2.0f * pixel + pixel * pixel;
     float corner[4][LANE_MAX];
     for (int i = 0; i < 4; i++) {
         const float x = i == 1 || i == 2 ? 1.0f : -1.0f, y = i >= 2 ? 1.0f : -1.0f;

@@ -1,9 +1,10 @@
-/* Triangles that set-up does not take as they are: polygon modes (GL 1.5, 3.5.4 "Options Controlling Polygon Rasterization"), and filled
- * triangles where OSMesa takes another road.
+/* Triangles that set-up does not take as they are: polygon modes (GL 1.5, 3.5.4 "Options Controlling Polygon
+ * Rasterization"), and filled triangles where OSMesa takes another road.
  *
- * OSMesa rules for this road, which it takes when a face is not filled and also while polygon stipple, line stipple or smooth lines or points are enabled:
- * facing comes from unsnapped window coordinates and a triangle without area counts as back facing when it is culled; polygon offset
- * is added to the vertices, whose z is then clamped to [0,1]. */
+ * OSMesa rules for this road, which it takes when a face is not filled and also while polygon stipple, line
+ * stipple or smooth lines or points are enabled: facing comes from unsnapped window coordinates and a
+ * triangle without area counts as back facing when it is culled; polygon offset is added to the vertices,
+ * whose z is then clamped to [0,1]. */
 #include <math.h>
 #include <string.h>
 
@@ -13,13 +14,16 @@ struct corner {
     float lane[LANE_MAX];
 };
 
-/* What polygon offset adds to z. Not a number for a triangle without area, even where the mode's offset is disabled. */
+/* What polygon offset adds to z. Not a number for a triangle without area, even where the mode's offset is
+ * disabled. */
 static float vertex_offset(const struct raster_plan *plan, const float *const v[3], float det, bool enabled)
 {
     const float factor = enabled ? plan->offset_factor : 0.0f;
     const float units = enabled ? plan->offset_units : 0.0f;
-    const float ex = v[0][LANE_X] - v[2][LANE_X], ey = v[0][LANE_Y] - v[2][LANE_Y], ez = v[0][LANE_Z] - v[2][LANE_Z];
-    const float fx = v[1][LANE_X] - v[2][LANE_X], fy = v[1][LANE_Y] - v[2][LANE_Y], fz = v[1][LANE_Z] - v[2][LANE_Z];
+    const float ex = v[0][LANE_X] - v[2][LANE_X], ey = v[0][LANE_Y] - v[2][LANE_Y],
+                ez = v[0][LANE_Z] - v[2][LANE_Z];
+    const float fx = v[1][LANE_X] - v[2][LANE_X], fy = v[1][LANE_Y] - v[2][LANE_Y],
+                fz = v[1][LANE_Z] - v[2][LANE_Z];
     const float inv_det = 1.0f / det;
     const float dzdx = fabsf((ey * fz - ez * fy) * inv_det), dzdy = fabsf((ez * fx - ex * fz) * inv_det);
     return units + (dzdx > dzdy ? dzdx : dzdy) * factor;
@@ -30,8 +34,10 @@ static bool offset_enabled(const struct raster_plan *plan, GLenum mode)
     return mode == GL_POINT ? plan->offset_point : mode == GL_LINE ? plan->offset_line : plan->offset_fill;
 }
 
-/* The vertex as the front face's: a back face's colours, or the provoking vertex's, in the lanes where lines and points look for them. */
-static void copy_vertex(const struct raster_plan *plan, struct corner *to, const float *v, const float *color, bool back)
+/* The vertex as the front face's: a back face's colours, or the provoking vertex's, in the lanes where lines
+ * and points look for them. */
+static void copy_vertex(const struct raster_plan *plan, struct corner *to, const float *v, const float *color,
+                        bool back)
 {
     const bool secondary = plan->fragment->has_secondary;
     const int from = back && plan->two_sided ? plan->back_lane : LANE_COLOR;
@@ -43,7 +49,8 @@ static void copy_vertex(const struct raster_plan *plan, struct corner *to, const
 }
 
 /* OSMesa rule: edges in the order v2 v0, v0 v1, v1 v2. */
-static void draw_edges(const struct raster_plan *plan, const struct corner *v, unsigned edges, int *stipple_counter)
+static void draw_edges(const struct raster_plan *plan, const struct corner *v, unsigned edges,
+                       int *stipple_counter)
 {
     for (int i = 0; i < 3; i++) {
         const int from = (i + 2) % 3;
@@ -60,10 +67,11 @@ static void fill(const struct raster_plan *plan, const struct corner *v)
     plan->filled(&filled, v[0].lane, v[1].lane, v[2].lane, v[0].lane);
 }
 
-void fgl_raster_polygon_mode(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2, const float *provoking,
-                             unsigned edges, int *stipple_counter)
+void fgl_raster_polygon_mode(const struct raster_plan *plan, const float *v0, const float *v1,
+                             const float *v2, const float *provoking, unsigned edges, int *stipple_counter)
 {
-    const float det = (v0[LANE_X] - v2[LANE_X]) * (v1[LANE_Y] - v2[LANE_Y]) - (v0[LANE_Y] - v2[LANE_Y]) * (v1[LANE_X] - v2[LANE_X]);
+    const float det = (v0[LANE_X] - v2[LANE_X]) * (v1[LANE_Y] - v2[LANE_Y]) -
+                      (v0[LANE_Y] - v2[LANE_Y]) * (v1[LANE_X] - v2[LANE_X]);
     const bool ccw = det < 0.0f, front = ccw == plan->front_is_ccw;
     if (front && det != 0.0f ? plan->cull_front : plan->cull_back)
         return;

@@ -1,8 +1,10 @@
-/* Rasterization (GL 1.5, chapter 3): from window-space vertices to runs of covered pixels. Layer 3. Has never heard of a light.
+/* Rasterization (GL 1.5, chapter 3): from window-space vertices to runs of covered pixels. Layer 3. Has never
+ * heard of a light.
  *
- * A raster vertex is an array of floats (enum LANE_* in fragment/fragment.h): window x, y (y down), z in [0,1], 1/w_clip; then
- * attributes, raw: set-up multiplies smooth ones by 1/w. The record is raster_plan.stride floats long; when two_sided, the back
- * face's colour (4 lanes) and secondary colour (3 more, when the fragment plan has one) stand at back_lane. */
+ * A raster vertex is an array of floats (enum LANE_* in fragment/fragment.h): window x, y (y down), z in
+ * [0,1], 1/w_clip; then attributes, raw: set-up multiplies smooth ones by 1/w. The record is
+ * raster_plan.stride floats long; when two_sided, the back face's colour (4 lanes) and secondary colour (3
+ * more, when the fragment plan has one) stand at back_lane. */
 #ifndef FGL_RASTER_RASTER_H
 #define FGL_RASTER_RASTER_H
 
@@ -16,37 +18,41 @@ struct polygon {
 
 /* The kernels of one instruction set (kernels.c). Every set gives the same bytes. */
 struct raster_plan;
-typedef void raster_triangle_fn(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2, const float *provoking);
+typedef void raster_triangle_fn(const struct raster_plan *plan, const float *v0, const float *v1,
+                                const float *v2, const float *provoking);
 struct raster_kernels {
     raster_triangle_fn *triangle;
     /* half of a smooth line or point; the vertices have LANE_SMOOTH */
-    void (*smooth_triangle)(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2, const float *provoking,
-                            enum smoothing smoothing);
+    void (*smooth_triangle)(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2,
+                            const float *provoking, enum smoothing smoothing);
     /* a convex polygon of four corners, counter-clockwise as GL sees it */
     void (*quad)(const struct raster_plan *plan, const struct polygon *corners, const struct planes *planes);
 };
 
-typedef void raster_line_fn(const struct raster_plan *plan, const float *v0, const float *v1, const float *provoking, int *stipple_counter);
+typedef void raster_line_fn(const struct raster_plan *plan, const float *v0, const float *v1,
+                            const float *provoking, int *stipple_counter);
 typedef void raster_point_fn(const struct raster_plan *plan, const float *v, float size);
 
 struct raster_plan {
     const struct raster_kernels *kernels;
     raster_triangle_fn *triangle; /* the kernel, or the longer road of polygon.c */
     bool longer_road;
-    /* What becomes of primitives at the end of the longer road, of lines and of points: they are drawn, or taken by feedback or
-     * selection (pipeline/feedback.h), whose context `taker` is. */
+    /* What becomes of primitives at the end of the longer road, of lines and of points: they are drawn, or
+     * taken by feedback or selection (pipeline/feedback.h), whose context `taker` is. */
     raster_triangle_fn *filled;
     raster_line_fn *line;
     raster_point_fn *point;
     struct context *taker;
-    struct rect bounds; /* framebuffer and scissor: the only rectangle that bounds pixels (the viewport does not) */
+    struct rect bounds; /* framebuffer and scissor: the only rectangle that bounds pixels (the viewport does
+                           not) */
     int stride;         /* floats from a raster vertex to the next */
     int lanes;          /* lanes to set up planes for, 4..LANE_MAX */
     bool flat;          /* colour lanes come from the provoking vertex, raw */
     bool two_sided;
     int back_lane;
     bool cull_front, cull_back;
-    bool cull_ccw, cull_cw; /* the same by orientation: the sign of the snapped area, counter-clockwise as GL sees it */
+    bool cull_ccw, cull_cw; /* the same by orientation: the sign of the snapped area, counter-clockwise as GL
+                               sees it */
     bool front_is_ccw;
     GLenum polygon_mode[2]; /* 0 front, 1 back */
     bool offset_point, offset_line, offset_fill;
@@ -65,29 +71,32 @@ struct raster_plan {
 const struct raster_kernels *fgl_raster_kernels(void);
 const struct raster_kernels *fgl_raster_kernels_of(enum fgl_isa isa);
 
-/* The pixels that may be drawn, y down: the framebuffer's, within the scissor rectangle when that test is enabled. */
+/* The pixels that may be drawn, y down: the framebuffer's, within the scissor rectangle when that test is
+ * enabled. */
 struct rect fgl_raster_bounds(const struct scissor_state *scissor, const struct framebuffer *fb);
 
 /* Fills all but stride, lanes, flat, two_sided, back_lane (the vertex stage's layout). */
-void fgl_raster_validate(struct raster_plan *plan, const struct server_state *s, const struct fragment_plan *fragment);
+void fgl_raster_validate(struct raster_plan *plan, const struct server_state *s,
+                         const struct fragment_plan *fragment);
 
-/* A filled triangle in the order that set-up must see; `provoking` is the vertex flat colours come from. Culls by snapped area.
- * Draws nothing when a coordinate is NaN or infinite. */
-static inline void fgl_raster_triangle(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2,
-                                       const float *provoking)
+/* A filled triangle in the order that set-up must see; `provoking` is the vertex flat colours come from.
+ * Culls by snapped area. Draws nothing when a coordinate is NaN or infinite. */
+static inline void fgl_raster_triangle(const struct raster_plan *plan, const float *v0, const float *v1,
+                                       const float *v2, const float *provoking)
 {
     plan->triangle(plan, v0, v1, v2, provoking);
 }
 
-/* The same through glPolygonMode: edges and points as the modes of its face say; `edges` bit i: the edge from v_i to v_(i+1)%3 is a boundary.
- * The line stipple starts anew unless the triangle goes on with the polygon of the one before. */
+/* The same through glPolygonMode: edges and points as the modes of its face say; `edges` bit i: the edge from
+ * v_i to v_(i+1)%3 is a boundary. The line stipple starts anew unless the triangle goes on with the polygon
+ * of the one before. */
 enum { EDGES_ALL = 7, EDGES_GO_ON = 8 };
-void fgl_raster_polygon_mode(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2, const float *provoking,
-                             unsigned edges, int *stipple_counter);
+void fgl_raster_polygon_mode(const struct raster_plan *plan, const float *v0, const float *v1,
+                             const float *v2, const float *provoking, unsigned edges, int *stipple_counter);
 
 /* stipple_counter runs along a strip or loop; reset to 0 by the caller where GL says. */
-static inline void fgl_raster_line(const struct raster_plan *plan, const float *v0, const float *v1, const float *provoking,
-                                   int *stipple_counter)
+static inline void fgl_raster_line(const struct raster_plan *plan, const float *v0, const float *v1,
+                                   const float *provoking, int *stipple_counter)
 {
     plan->line(plan, v0, v1, provoking, stipple_counter);
 }

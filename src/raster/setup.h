@@ -1,4 +1,5 @@
-/* Set-up: the planes of a primitive's attributes (GL 1.5, 3.5.1 "Basic Polygon Rasterization", in OSMesa's arithmetic). */
+/* Set-up: the planes of a primitive's attributes (GL 1.5, 3.5.1 "Basic Polygon Rasterization", in OSMesa's
+ * arithmetic). */
 #ifndef FGL_RASTER_SETUP_H
 #define FGL_RASTER_SETUP_H
 
@@ -17,17 +18,24 @@ static FGL_ALWAYS_INLINE struct gradients gradients_of(const float *const v[3])
     const float x01 = v0[LANE_X] - v1[LANE_X], y01 = v0[LANE_Y] - v1[LANE_Y];
     const float x20 = v2[LANE_X] - v0[LANE_X], y20 = v2[LANE_Y] - v0[LANE_Y];
     const float e = x01 * y20, f = y01 * x20, ooa = 1.0f / (e - f);
-    return (struct gradients){x01 * ooa, y01 * ooa, x20 * ooa, y20 * ooa, v0[LANE_X] - 0.5f, v0[LANE_Y] - 0.5f,
+    return (struct gradients){x01 * ooa,
+                              y01 * ooa,
+                              x20 * ooa,
+                              y20 * ooa,
+                              v0[LANE_X] - 0.5f,
+                              v0[LANE_Y] - 0.5f,
                               {v0[LANE_OOW], v1[LANE_OOW], v2[LANE_OOW]}};
 }
 
-/* The planes of lanes first .. first + n, whose values stand in the vertices from lane `from` on. Attributes are multiplied by their
- * vertex's 1/w first: what is linear in window space is attribute/w (GL 1.5, equation 3.6). */
-static FGL_ALWAYS_INLINE void plane_lanes(struct planes *p, int first, const int n, const bool attribute, const struct gradients *g,
-                                          const float *const v[3], int from)
+/* The planes of lanes first .. first + n, whose values stand in the vertices from lane `from` on. Attributes
+ * are multiplied by their vertex's 1/w first: what is linear in window space is attribute/w (GL 1.5,
+ * equation 3.6). */
+static FGL_ALWAYS_INLINE void plane_lanes(struct planes *p, int first, const int n, const bool attribute,
+                                          const struct gradients *g, const float *const v[3], int from)
 {
     const float *v0 = v[0] + from, *v1 = v[1] + from, *v2 = v[2] + from;
-    float *FGL_RESTRICT a00 = p->a00 + first, *FGL_RESTRICT dadx = p->dadx + first, *FGL_RESTRICT dady = p->dady + first;
+    float *FGL_RESTRICT a00 = p->a00 + first, *FGL_RESTRICT dadx = p->dadx + first,
+                        *FGL_RESTRICT dady = p->dady + first;
     for (int i = 0; i < n; i++) {
         const float a0 = attribute ? v0[i] * g->oow[0] : v0[i], a1 = attribute ? v1[i] * g->oow[1] : v1[i],
                     a2 = attribute ? v2[i] * g->oow[2] : v2[i];
@@ -53,15 +61,16 @@ static FGL_ALWAYS_INLINE void flat_planes(struct planes *p, const float *color, 
         plane_constant(p, LANE_COLOR + i, color[i]);
 }
 
-/* Polygon offset (GL 1.5, 3.5.5 "Depth Offset"). OSMesa rule: from unsnapped window coordinates, after the swap that makes the
- * triangle counter-clockwise. */
+/* Polygon offset (GL 1.5, 3.5.5 "Depth Offset"). OSMesa rule: from unsnapped window coordinates, after the
+ * swap that makes the triangle counter-clockwise. */
 static inline float polygon_offset(const struct raster_plan *plan, const float *const v[3])
 {
     const float *const v0 = v[0], *const v1 = v[1], *const v2 = v[2];
     const float x01 = v0[LANE_X] - v1[LANE_X], y01 = v0[LANE_Y] - v1[LANE_Y], z01 = v0[LANE_Z] - v1[LANE_Z];
     const float x20 = v2[LANE_X] - v0[LANE_X], y20 = v2[LANE_Y] - v0[LANE_Y], z20 = v2[LANE_Z] - v0[LANE_Z];
     const float det = x01 * y20 - y01 * x20, inv_det = 1.0f / det;
-    const float dzdx = fabsf((z20 * y01 - y20 * z01) * inv_det), dzdy = fabsf((x20 * z01 - z20 * x01) * inv_det);
+    const float dzdx = fabsf((z20 * y01 - y20 * z01) * inv_det),
+                dzdy = fabsf((x20 * z01 - z20 * x01) * inv_det);
     const float m = dzdx > dzdy ? dzdx : dzdy;
     return plan->offset_units + m * plan->offset_factor;
 }

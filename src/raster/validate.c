@@ -9,24 +9,36 @@ struct rect fgl_raster_bounds(const struct scissor_state *scissor, const struct 
     const int64_t x = scissor->scissor_box[0], y = scissor->scissor_box[1];
     const int64_t x1 = x + scissor->scissor_box[2], y1 = y + scissor->scissor_box[3];
     const int64_t w = fb->width, h = fb->height;
-    const struct rect r = {(int)(x < 0 ? 0 : x < w ? x : w), (int)(y1 > h ? 0 : y1 > 0 ? h - y1 : h),
-                           (int)(x1 < 0 ? 0 : x1 < w ? x1 : w), (int)(y > h ? 0 : y > 0 ? h - y : h)};
+    const struct rect r = {(int)(x < 0   ? 0
+                                 : x < w ? x
+                                         : w),
+                           (int)(y1 > h   ? 0
+                                 : y1 > 0 ? h - y1
+                                          : h),
+                           (int)(x1 < 0   ? 0
+                                 : x1 < w ? x1
+                                          : w),
+                           (int)(y > h   ? 0
+                                 : y > 0 ? h - y
+                                         : h)};
     return r;
 }
 
 /* OSMesa rule: these states send all triangles the longer road (polygon.c). */
 static bool takes_longer_road(const struct raster_plan *plan)
 {
-    return plan->polygon_mode[0] != GL_FILL || plan->polygon_mode[1] != GL_FILL || plan->polygon_stipple || plan->line_stipple ||
-           plan->line_smooth || plan->point_smooth;
+    return plan->polygon_mode[0] != GL_FILL || plan->polygon_mode[1] != GL_FILL || plan->polygon_stipple ||
+           plan->line_stipple || plan->line_smooth || plan->point_smooth;
 }
 
-static void filled_triangle(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2, const float *provoking)
+static void filled_triangle(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2,
+                            const float *provoking)
 {
     fgl_raster_polygon_mode(plan, v0, v1, v2, provoking, EDGES_ALL, NULL);
 }
 
-void fgl_raster_validate(struct raster_plan *plan, const struct server_state *s, const struct fragment_plan *fragment)
+void fgl_raster_validate(struct raster_plan *plan, const struct server_state *s,
+                         const struct fragment_plan *fragment)
 {
     const struct polygon_state *polygon = &s->polygon;
     plan->kernels = fgl_raster_kernels();
@@ -50,13 +62,15 @@ void fgl_raster_validate(struct raster_plan *plan, const struct server_state *s,
     plan->offset_fill = polygon->polygon_offset_fill;
     plan->offset_factor = polygon->polygon_offset_factor;
     /* OSMesa rule: one unit is two steps of the depth buffer. */
-    plan->offset_units = (float)((double)polygon->polygon_offset_units * (2.0 / (double)fragment->fb->depth_max));
+    plan->offset_units =
+            (float)((double)polygon->polygon_offset_units * (2.0 / (double)fragment->fb->depth_max));
     plan->polygon_stipple = polygon->polygon_stipple;
     plan->stipple = &s->polygon_stipple;
 
     plan->line_width = s->line.line_width;
     plan->line_smooth = s->line.line_smooth;
-    plan->line_stipple = s->line.line_stipple && s->line.line_stipple_pattern != 0xffff; /* OSMesa rule: else as if disabled */
+    plan->line_stipple = s->line.line_stipple &&
+                         s->line.line_stipple_pattern != 0xffff; /* OSMesa rule: else as if disabled */
     plan->line_stipple_factor = s->line.line_stipple_repeat;
     plan->line_stipple_pattern = s->line.line_stipple_pattern;
     plan->point_size = s->point.point_size;

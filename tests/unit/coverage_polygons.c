@@ -1,5 +1,6 @@
-/* Coverage: the runs of triangles and lines against the edge rule evaluated at each pixel in 64-bit integers, for every instruction
- * set; shared edges; bounds; coordinates that are no numbers. A recorder stands where fragments would be drawn. */
+/* Coverage: the runs of triangles and lines against the edge rule evaluated at each pixel in 64-bit integers,
+ * for every instruction set; shared edges; bounds; coordinates that are no numbers. A recorder stands where
+ * fragments would be drawn. */
 #include "raster_setup.h"
 
 #include <math.h>
@@ -9,7 +10,8 @@ enum { WIDTH = 150, HEIGHT = 130 };
 static unsigned char hits[HEIGHT][WIDTH];
 static struct rect allowed;
 
-static void record_runs(const struct fragment_plan *plan, const struct planes *planes, const struct runs *runs)
+static void record_runs(const struct fragment_plan *plan, const struct planes *planes,
+                        const struct runs *runs)
 {
     (void)plan;
     (void)planes;
@@ -33,7 +35,8 @@ static void setup(struct bench *b, enum fgl_isa isa)
 {
     state_defaults(&b->state);
     b->fb = (struct framebuffer){.width = WIDTH, .height = HEIGHT, .depth_max = 0xffffff};
-    b->fragment = (struct fragment_plan){.fill = record_runs, .general = record_runs, .fb = &b->fb, .lanes = LANE_COLOR};
+    b->fragment = (struct fragment_plan){
+            .fill = record_runs, .general = record_runs, .fb = &b->fb, .lanes = LANE_COLOR};
     fgl_raster_validate(&b->raster, &b->state, &b->fragment);
     b->raster.kernels = fgl_raster_kernels_of(isa);
     b->raster.triangle = b->raster.kernels->triangle;
@@ -92,7 +95,10 @@ static void triangles_follow_the_rule(void **state)
         for (int round = 0; round < 3000; round++) {
             static struct bench b;
             setup(&b, (enum fgl_isa)isa);
-            const float size = round % 4 == 0 ? 3.0f : round % 4 == 1 ? 30.0f : round % 4 == 2 ? 400.0f : 60000.0f;
+            const float size = round % 4 == 0   ? 3.0f
+                               : round % 4 == 1 ? 30.0f
+                               : round % 4 == 2 ? 400.0f
+                                                : 60000.0f;
             const float cx = between(0, WIDTH), cy = between(0, HEIGHT);
             vertex v[3];
             for (int i = 0; i < 3; i++)
@@ -102,7 +108,8 @@ static void triangles_follow_the_rule(void **state)
             if (one_of(10) == 0)
                 v[2][LANE_X] = v[0][LANE_X];
             if (one_of(8) == 0) {
-                allowed = (struct rect){one_of(80), one_of(80), 80 + one_of(WIDTH - 80), 80 + one_of(HEIGHT - 80)};
+                allowed = (struct rect){one_of(80), one_of(80), 80 + one_of(WIDTH - 80),
+                                        80 + one_of(HEIGHT - 80)};
                 b.raster.bounds = allowed;
             }
             fgl_raster_triangle(&b.raster, v[0], v[1], v[2], v[2]);
@@ -126,7 +133,8 @@ static void shared_edges_have_no_cracks(void **state)
         for (int j = 0; j <= CELLS; j++)
             for (int i = 0; i <= CELLS; i++) {
                 const bool rim = i == 0 || j == 0 || i == CELLS || j == CELLS;
-                random_vertex(v[j][i], 3.6f * (float)i, 3.1f * (float)j, rim ? 0.0f : 1.0f, round % 2 ? 2 : 0);
+                random_vertex(v[j][i], 3.6f * (float)i, 3.1f * (float)j, rim ? 0.0f : 1.0f,
+                              round % 2 ? 2 : 0);
             }
         for (int j = 0; j < CELLS; j++)
             for (int i = 0; i < CELLS; i++) {
@@ -154,7 +162,8 @@ static void culling_goes_by_orientation(void **state)
     static struct bench b;
     (void)state;
     setup(&b, fgl_cpu_isa());
-    const vertex v[3] = {{10, 10, 0, 1}, {10, 50, 0, 1}, {50, 10, 0, 1}}; /* y down: counter-clockwise as GL sees it */
+    const vertex v[3] = {
+            {10, 10, 0, 1}, {10, 50, 0, 1}, {50, 10, 0, 1}}; /* y down: counter-clockwise as GL sees it */
     for (int culls = 0; culls < 8; culls++) {
         const bool ccw = culls & 1, cull_ccw = culls >> 1 & 1, cull_cw = culls >> 2 & 1;
         b.raster.cull_ccw = cull_ccw;
@@ -189,10 +198,10 @@ static void no_numbers_draw_nothing(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(triangles_follow_the_rule),
-        cmocka_unit_test(shared_edges_have_no_cracks),
-        cmocka_unit_test(culling_goes_by_orientation),
-        cmocka_unit_test(no_numbers_draw_nothing),
+            cmocka_unit_test(triangles_follow_the_rule),
+            cmocka_unit_test(shared_edges_have_no_cracks),
+            cmocka_unit_test(culling_goes_by_orientation),
+            cmocka_unit_test(no_numbers_draw_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

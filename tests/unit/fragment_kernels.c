@@ -1,5 +1,6 @@
-/* The fragment kernels: for random plans, the fused and the general kernel of every instruction set that this CPU has give the bytes of
- * a plain transcription of the rules, pixel by pixel; nothing outside of the runs changes. */
+/* The fragment kernels: for random plans, the fused and the general kernel of every instruction set that this
+ * CPU has give the bytes of a plain transcription of the rules, pixel by pixel; nothing outside of the runs
+ * changes. */
 #include "raster_setup.h"
 
 #include "base/arith.h"
@@ -51,7 +52,8 @@ static void store(const struct framebuffer *fb, size_t at, struct pixel p)
             ((float *)fb->color)[4 * at + c] = (float)p.c[c];
     }
     if (fb->color_kind == COLOR_565)
-        ((uint16_t *)fb->color)[at] = (uint16_t)((int)p.c[0] >> 3 << 11 | (int)p.c[1] >> 2 << 5 | (int)p.c[2] >> 3);
+        ((uint16_t *)fb->color)[at] =
+                (uint16_t)((int)p.c[0] >> 3 << 11 | (int)p.c[1] >> 2 << 5 | (int)p.c[2] >> 3);
 }
 
 static float unit(float v)
@@ -73,49 +75,50 @@ static float plane(const struct planes *p, int lane, int x, int y)
 static bool passes(GLenum func, double a, double b)
 {
     switch (func) {
-    case GL_NEVER:    return false;
-    case GL_LESS:     return a < b;
-    case GL_EQUAL:    return a == b;
-    case GL_LEQUAL:   return a <= b;
-    case GL_GREATER:  return a > b;
+    case GL_NEVER: return false;
+    case GL_LESS: return a < b;
+    case GL_EQUAL: return a == b;
+    case GL_LEQUAL: return a <= b;
+    case GL_GREATER: return a > b;
     case GL_NOTEQUAL: return a != b;
-    case GL_GEQUAL:   return a >= b;
-    default:          return true;
+    case GL_GEQUAL: return a >= b;
+    default: return true;
     }
 }
 
 static int stencil_result(GLenum op, int v, int ref)
 {
     switch (op) {
-    case GL_ZERO:      return 0;
-    case GL_REPLACE:   return ref;
-    case GL_INCR:      return v == 255 ? 255 : v + 1;
-    case GL_DECR:      return v == 0 ? 0 : v - 1;
+    case GL_ZERO: return 0;
+    case GL_REPLACE: return ref;
+    case GL_INCR: return v == 255 ? 255 : v + 1;
+    case GL_DECR: return v == 0 ? 0 : v - 1;
     case GL_INCR_WRAP: return (v + 1) % 256;
     case GL_DECR_WRAP: return (v + 255) % 256;
-    case GL_INVERT:    return 255 - v;
-    default:           return v;
+    case GL_INVERT: return 255 - v;
+    default: return v;
     }
 }
 
-static double factor(GLenum f, int c, const struct pixel *s, const struct pixel *d, const double constant[4], double max)
+static double factor(GLenum f, int c, const struct pixel *s, const struct pixel *d, const double constant[4],
+                     double max)
 {
     switch (f) {
-    case GL_ZERO:                     return 0.0;
-    case GL_ONE:                      return max;
-    case GL_SRC_COLOR:                return s->c[c];
-    case GL_ONE_MINUS_SRC_COLOR:      return max - s->c[c];
-    case GL_DST_COLOR:                return d->c[c];
-    case GL_ONE_MINUS_DST_COLOR:      return max - d->c[c];
-    case GL_SRC_ALPHA:                return s->c[3];
-    case GL_ONE_MINUS_SRC_ALPHA:      return max - s->c[3];
-    case GL_DST_ALPHA:                return d->c[3];
-    case GL_ONE_MINUS_DST_ALPHA:      return max - d->c[3];
-    case GL_CONSTANT_COLOR:           return constant[c];
+    case GL_ZERO: return 0.0;
+    case GL_ONE: return max;
+    case GL_SRC_COLOR: return s->c[c];
+    case GL_ONE_MINUS_SRC_COLOR: return max - s->c[c];
+    case GL_DST_COLOR: return d->c[c];
+    case GL_ONE_MINUS_DST_COLOR: return max - d->c[c];
+    case GL_SRC_ALPHA: return s->c[3];
+    case GL_ONE_MINUS_SRC_ALPHA: return max - s->c[3];
+    case GL_DST_ALPHA: return d->c[3];
+    case GL_ONE_MINUS_DST_ALPHA: return max - d->c[3];
+    case GL_CONSTANT_COLOR: return constant[c];
     case GL_ONE_MINUS_CONSTANT_COLOR: return max - constant[c];
-    case GL_CONSTANT_ALPHA:           return constant[3];
+    case GL_CONSTANT_ALPHA: return constant[3];
     case GL_ONE_MINUS_CONSTANT_ALPHA: return max - constant[3];
-    default:                          return c == 3 ? max : fmin(s->c[3], max - d->c[3]); /* GL_SRC_ALPHA_SATURATE */
+    default: return c == 3 ? max : fmin(s->c[3], max - d->c[3]); /* GL_SRC_ALPHA_SATURATE */
     }
 }
 
@@ -126,7 +129,8 @@ static double product(double a, double b, double max)
     return (double)((t + (t >> n) + (1u << (n - 1))) >> n);
 }
 
-static double blended(const struct color_buffer_state *s, int c, const struct pixel *src, const struct pixel *dst, double max)
+static double blended(const struct color_buffer_state *s, int c, const struct pixel *src,
+                      const struct pixel *dst, double max)
 {
     double constant[4];
     for (int i = 0; i < 4; i++)
@@ -135,16 +139,23 @@ static double blended(const struct color_buffer_state *s, int c, const struct pi
         return fmin(src->c[c], dst->c[c]);
     if (s->blend_equation == GL_MAX)
         return fmax(src->c[c], dst->c[c]);
-    const double a = product(src->c[c], factor(c == 3 ? s->blend_src_alpha : s->blend_src_rgb, c, src, dst, constant, max), max);
-    const double b = product(dst->c[c], factor(c == 3 ? s->blend_dst_alpha : s->blend_dst_rgb, c, src, dst, constant, max), max);
-    const double sum = s->blend_equation == GL_FUNC_SUBTRACT ? a - b : s->blend_equation == GL_FUNC_ADD ? a + b : b - a;
+    const double a =
+            product(src->c[c],
+                    factor(c == 3 ? s->blend_src_alpha : s->blend_src_rgb, c, src, dst, constant, max), max);
+    const double b =
+            product(dst->c[c],
+                    factor(c == 3 ? s->blend_dst_alpha : s->blend_dst_rgb, c, src, dst, constant, max), max);
+    const double sum = s->blend_equation == GL_FUNC_SUBTRACT ? a - b
+                       : s->blend_equation == GL_FUNC_ADD    ? a + b
+                                                             : b - a;
     return fmin(fmax(sum, 0.0), max);
 }
 
 /* GL 1.5, table 4.2, by truth table: bit 2 s + d of the operation's code. */
 static unsigned logic(GLenum op, unsigned s, unsigned d, unsigned max)
 {
-    static const unsigned char table[16] = {0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15}; /* GL_CLEAR .. GL_SET */
+    static const unsigned char table[16] = {0, 8, 4, 12, 2, 10, 6, 14,
+                                            1, 9, 5, 13, 3, 11, 7, 15}; /* GL_CLEAR .. GL_SET */
     const unsigned t = table[op - GL_CLEAR];
     return ((t & 1 ? ~s & ~d : 0) | (t & 2 ? ~s & d : 0) | (t & 4 ? s & ~d : 0) | (t & 8 ? s & d : 0)) & max;
 }
@@ -165,7 +176,8 @@ static void shade(const struct fragment_plan *plan, const struct planes *p, int 
                : plan->color_source == COLOR_FLAT ? p->a00[LANE_COLOR + i]
                                                   : plan->constant_color[i];
     for (int i = 0; i < 3 && plan->has_secondary; i++)
-        c[i] += plan->color_source == COLOR_FLAT ? p->a00[LANE_SECONDARY + i] : plane(p, LANE_SECONDARY + i, x, y) * w;
+        c[i] += plan->color_source == COLOR_FLAT ? p->a00[LANE_SECONDARY + i]
+                                                 : plane(p, LANE_SECONDARY + i, x, y) * w;
     if (plan->has_fog) {
         const float f = fog_factor(plan, plane(p, LANE_FOG, x, y) * w);
         for (int i = 0; i < 3; i++)
@@ -184,16 +196,21 @@ static void reference_pixel(const struct fragment_plan *plan, const struct plane
     if (plan->alpha_test && fb->color_kind == COLOR_UNORM8 &&
         !passes(s->alpha_test_func, quantise(c[3], 255.0), quantise(s->alpha_test_ref, 255.0)))
         return;
-    if (plan->alpha_test && fb->color_kind != COLOR_UNORM8 && !passes(s->alpha_test_func, (double)c[3], (double)s->alpha_test_ref))
+    if (plan->alpha_test && fb->color_kind != COLOR_UNORM8 &&
+        !passes(s->alpha_test_func, (double)c[3], (double)s->alpha_test_ref))
         return;
 
     const double z = quantise(plane(p, LANE_Z, x, y) + p->z_offset, (double)fb->depth_max);
     const bool depth_ok = !plan->depth_test || passes(plan->depth_func, z, fb->depth[at]);
     if (plan->stencil_test) {
         const struct stencil_state *t = &plan->stencil;
-        const int ref = fgl_clamp(t->stencil_ref, 0, 255), v = fb->stencil[at], mask = (int)(t->stencil_writemask & 255);
-        const bool ok = passes(t->stencil_func, ref & (int)t->stencil_value_mask, v & (int)t->stencil_value_mask);
-        const GLenum op = !ok ? t->stencil_fail : depth_ok ? t->stencil_pass_depth_pass : t->stencil_pass_depth_fail;
+        const int ref = fgl_clamp(t->stencil_ref, 0, 255), v = fb->stencil[at],
+                  mask = (int)(t->stencil_writemask & 255);
+        const bool ok =
+                passes(t->stencil_func, ref & (int)t->stencil_value_mask, v & (int)t->stencil_value_mask);
+        const GLenum op = !ok        ? t->stencil_fail
+                          : depth_ok ? t->stencil_pass_depth_pass
+                                     : t->stencil_pass_depth_fail;
         fb->stencil[at] = (uint8_t)((v & ~mask) | (stencil_result(op, v, ref) & mask));
         if (!ok)
             return;
@@ -219,7 +236,8 @@ static void reference_pixel(const struct fragment_plan *plan, const struct plane
     store(fb, at, out);
 }
 
-static void reference_fill(const struct fragment_plan *plan, const struct planes *planes, const struct runs *runs)
+static void reference_fill(const struct fragment_plan *plan, const struct planes *planes,
+                           const struct runs *runs)
 {
     for (int i = 0; i < runs->n; i++)
         for (int x = runs->x0[i]; x < runs->x1[i]; x++)
@@ -233,11 +251,24 @@ static GLenum pick(const GLenum *of, int n)
     return of[one_of(n)];
 }
 
-static const GLenum factors[] = {GL_ZERO, GL_ONE, GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, GL_DST_COLOR, GL_ONE_MINUS_DST_COLOR, GL_SRC_ALPHA,
-                                 GL_ONE_MINUS_SRC_ALPHA, GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA, GL_CONSTANT_COLOR,
-                                 GL_ONE_MINUS_CONSTANT_COLOR, GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA, GL_SRC_ALPHA_SATURATE};
+static const GLenum factors[] = {GL_ZERO,
+                                 GL_ONE,
+                                 GL_SRC_COLOR,
+                                 GL_ONE_MINUS_SRC_COLOR,
+                                 GL_DST_COLOR,
+                                 GL_ONE_MINUS_DST_COLOR,
+                                 GL_SRC_ALPHA,
+                                 GL_ONE_MINUS_SRC_ALPHA,
+                                 GL_DST_ALPHA,
+                                 GL_ONE_MINUS_DST_ALPHA,
+                                 GL_CONSTANT_COLOR,
+                                 GL_ONE_MINUS_CONSTANT_COLOR,
+                                 GL_CONSTANT_ALPHA,
+                                 GL_ONE_MINUS_CONSTANT_ALPHA,
+                                 GL_SRC_ALPHA_SATURATE};
 static const GLenum equations[] = {GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX};
-static const GLenum operations[] = {GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT, GL_INCR_WRAP, GL_DECR_WRAP};
+static const GLenum operations[] = {GL_KEEP, GL_ZERO,   GL_REPLACE,   GL_INCR,
+                                    GL_DECR, GL_INVERT, GL_INCR_WRAP, GL_DECR_WRAP};
 static const GLenum fog_modes[] = {GL_LINEAR, GL_EXP, GL_EXP2};
 
 static GLenum any_func(void)
@@ -363,9 +394,11 @@ static void assert_same_pixels(const struct framebuffer *a, const struct framebu
 static void compare_kernels(enum color_kind kind, int depth_bits, bool plain)
 {
     static struct server_state s;
-    struct framebuffer start = framebuffer_make(WIDTH, HEIGHT, kind, depth_bits), want = framebuffer_make(WIDTH, HEIGHT, kind, depth_bits),
+    struct framebuffer start = framebuffer_make(WIDTH, HEIGHT, kind, depth_bits),
+                       want = framebuffer_make(WIDTH, HEIGHT, kind, depth_bits),
                        got = framebuffer_make(WIDTH, HEIGHT, kind, depth_bits);
-    struct fragment_plan plan = {.color_source = (enum color_source)one_of(3), .has_secondary = !plain && one_of(3) == 0};
+    struct fragment_plan plan = {.color_source = (enum color_source)one_of(3),
+                                 .has_secondary = !plain && one_of(3) == 0};
     struct planes planes;
     struct runs runs;
     random_state_of(&s, plain, kind != COLOR_FLOAT);
@@ -388,7 +421,9 @@ static void compare_kernels(enum color_kind kind, int depth_bits, bool plain)
         k->general(&plan, &planes, &runs);
         assert_same_pixels(&want, &got);
         if (plain && kind == COLOR_UNORM8) {
-            const enum depth_kind depth = !plan.depth_test ? DEPTH_OFF : plan.depth_func == GL_LESS ? DEPTH_LESS : DEPTH_LEQUAL;
+            const enum depth_kind depth = !plan.depth_test             ? DEPTH_OFF
+                                          : plan.depth_func == GL_LESS ? DEPTH_LESS
+                                                                       : DEPTH_LEQUAL;
             copy_pixels(&got, &start);
             k->fused[depth][plan.color_source](&plan, &planes, &runs);
             assert_same_pixels(&want, &got);
@@ -431,9 +466,9 @@ static void general_is_asked_for(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(fused_kernels),
-        cmocka_unit_test(general_kernel),
-        cmocka_unit_test(general_is_asked_for),
+            cmocka_unit_test(fused_kernels),
+            cmocka_unit_test(general_kernel),
+            cmocka_unit_test(general_is_asked_for),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

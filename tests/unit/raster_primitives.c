@@ -1,5 +1,5 @@
-/* Lines, points, stipple, polygon modes and planes: the worked examples of docs/rasterization.md, through the public functions of the
- * rasterizer into a small float framebuffer. Coordinates here have y up, as GL's. */
+/* Lines, points, stipple, polygon modes and planes: the worked examples of docs/rasterization.md, through the
+ * public functions of the rasterizer into a small float framebuffer. Coordinates here have y up, as GL's. */
 #include "raster_setup.h"
 
 #include <math.h>
@@ -84,11 +84,11 @@ static void lines_obey_the_diamond_rule(void **state)
         float ends[4];
         int box[4];
     } cases[] = {
-        {{20, 5, 20, 30}, {19, 5, 19, 29}},
-        {{5, 20, 30, 20}, {5, 19, 29, 19}},
-        {{5.5f, 20.5f, 30.5f, 20.5f}, {5, 20, 29, 20}},
-        {{30.5f, 20.5f, 5.5f, 20.5f}, {6, 20, 30, 20}},
-        {{20 + 1.0f / 512, 5, 20 + 1.0f / 512, 30}, {20, 5, 20, 29}},
+            {{20, 5, 20, 30}, {19, 5, 19, 29}},
+            {{5, 20, 30, 20}, {5, 19, 29, 19}},
+            {{5.5f, 20.5f, 30.5f, 20.5f}, {5, 20, 29, 20}},
+            {{30.5f, 20.5f, 5.5f, 20.5f}, {6, 20, 30, 20}},
+            {{20 + 1.0f / 512, 5, 20 + 1.0f / 512, 30}, {20, 5, 20, 29}},
     };
     static struct scene s;
     int counter = 0;
@@ -146,8 +146,9 @@ static void points_are_squares(void **state)
         float x, y, size;
         int box[4];
     } cases[] = {
-        {20, 20, 1, {20, 20, 20, 20}}, {20.5f, 20.5f, 1, {20, 20, 20, 20}}, {20.5f, 20.5f, 2, {20, 20, 21, 21}},
-        {20.5f, 20.5f, 3, {19, 19, 21, 21}}, {20.5f, 20.5f, 2.5f, {20, 20, 21, 21}}, {1, 1, 9, {0, 0, 5, 5}},
+            {20, 20, 1, {20, 20, 20, 20}},          {20.5f, 20.5f, 1, {20, 20, 20, 20}},
+            {20.5f, 20.5f, 2, {20, 20, 21, 21}},    {20.5f, 20.5f, 3, {19, 19, 21, 21}},
+            {20.5f, 20.5f, 2.5f, {20, 20, 21, 21}}, {1, 1, 9, {0, 0, 5, 5}},
     };
     static struct scene s;
     (void)state;
@@ -165,7 +166,8 @@ static void points_are_squares(void **state)
 /* OSMesa rule: a disc without a soft edge, whose alpha rises towards the centre. */
 static void smooth_points_are_discs(void **state)
 {
-    static const double row[] = {1, 1, 1.714, 2.143, 2.286, 2.143, 1.714, 1}; /* (1 - d^2) / (1 - (3/4)^2) inside, d in radii */
+    static const double row[] = {1,     1,     1.714, 2.143,
+                                 2.286, 2.143, 1.714, 1}; /* (1 - d^2) / (1 - (3/4)^2) inside, d in radii */
     static struct scene s;
     vertex v;
     (void)state;
@@ -262,14 +264,16 @@ static void polygon_stipple_starts_at_the_lower_left(void **state)
     scene_end(&s);
 }
 
-/* The planes at a pixel, transcribed: set-up on unsnapped coordinates, counter-clockwise order, attributes over w. */
+/* The planes at a pixel, transcribed: set-up on unsnapped coordinates, counter-clockwise order, attributes
+ * over w. */
 static float attribute_at(const vertex v[3], int lane, bool perspective, int x, int y)
 {
     const float area = (v[0][0] - v[1][0]) * (v[2][1] - v[0][1]) - (v[2][0] - v[0][0]) * (v[0][1] - v[1][1]);
     const float *const a = v[area > 0.0f ? 0 : 1], *const b = v[area > 0.0f ? 1 : 0], *const c = v[2];
     const float x01 = a[0] - b[0], y01 = a[1] - b[1], x20 = c[0] - a[0], y20 = c[1] - a[1];
     const float ooa = 1.0f / (x01 * y20 - y01 * x20);
-    const float a0 = a[lane] * (perspective ? a[LANE_OOW] : 1.0f), a1 = b[lane] * (perspective ? b[LANE_OOW] : 1.0f),
+    const float a0 = a[lane] * (perspective ? a[LANE_OOW] : 1.0f),
+                a1 = b[lane] * (perspective ? b[LANE_OOW] : 1.0f),
                 a2 = c[lane] * (perspective ? c[LANE_OOW] : 1.0f);
     const float d01 = a0 - a1, d20 = a2 - a0;
     const float dx = d01 * (y20 * ooa) - d20 * (y01 * ooa), dy = d20 * (x01 * ooa) - d01 * (x20 * ooa);
@@ -298,7 +302,8 @@ static void planes_follow_the_rule(void **state)
                 v[i][LANE_TEX0 + c] = between(0.1f, 0.9f);
             }
         }
-        const float area = (v[0][0] - v[1][0]) * (v[2][1] - v[0][1]) - (v[2][0] - v[0][0]) * (v[0][1] - v[1][1]);
+        const float area =
+                (v[0][0] - v[1][0]) * (v[2][1] - v[0][1]) - (v[2][0] - v[0][0]) * (v[0][1] - v[1][1]);
         const int lane = s.raster.two_sided && area < 0.0f ? LANE_TEX0 : LANE_COLOR;
         fgl_raster_triangle(&s.raster, v[0], v[1], v[2], v[1]);
         for (int y = 0; y < SIZE; y++)
@@ -308,7 +313,9 @@ static void planes_follow_the_rule(void **state)
                     continue;
                 const float w = 1.0f / attribute_at((const vertex *)v, LANE_OOW, false, x, y);
                 for (int c = 0; c < 4; c++)
-                    assert_true(same_float(p[c], round % 2 ? v[1][lane + c] : attribute_at((const vertex *)v, lane + c, true, x, y) * w));
+                    assert_true(same_float(
+                            p[c], round % 2 ? v[1][lane + c]
+                                            : attribute_at((const vertex *)v, lane + c, true, x, y) * w));
                 const float z = attribute_at((const vertex *)v, LANE_Z, false, x, y);
                 assert_int_equal(s.fb.depth[y * s.fb.stride + x], (uint32_t)nearbyintf(z * 16777215.0f));
             }
@@ -350,17 +357,17 @@ static void polygon_offset_is_enabled_for_each_mode(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(lines_obey_the_diamond_rule),
-        cmocka_unit_test(wide_lines_widen_across),
-        cmocka_unit_test(stipple_counts_along_a_strip),
-        cmocka_unit_test(points_are_squares),
-        cmocka_unit_test(smooth_points_are_discs),
-        cmocka_unit_test(pixel_centres_belong_to_left_and_bottom),
-        cmocka_unit_test(polygon_modes_draw_edges_and_corners),
-        cmocka_unit_test(polygon_stipple_starts_at_the_lower_left),
-        cmocka_unit_test(planes_follow_the_rule),
-        cmocka_unit_test(polygon_offset_moves_depth),
-        cmocka_unit_test(polygon_offset_is_enabled_for_each_mode),
+            cmocka_unit_test(lines_obey_the_diamond_rule),
+            cmocka_unit_test(wide_lines_widen_across),
+            cmocka_unit_test(stipple_counts_along_a_strip),
+            cmocka_unit_test(points_are_squares),
+            cmocka_unit_test(smooth_points_are_discs),
+            cmocka_unit_test(pixel_centres_belong_to_left_and_bottom),
+            cmocka_unit_test(polygon_modes_draw_edges_and_corners),
+            cmocka_unit_test(polygon_stipple_starts_at_the_lower_left),
+            cmocka_unit_test(planes_follow_the_rule),
+            cmocka_unit_test(polygon_offset_moves_depth),
+            cmocka_unit_test(polygon_offset_is_enabled_for_each_mode),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

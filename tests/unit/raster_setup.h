@@ -1,4 +1,5 @@
-/* What the tests of rasterization and of fragments share: a framebuffer with guard bytes around it, and plans made from default state. */
+/* What the tests of rasterization and of fragments share: a framebuffer with guard bytes around it, and plans
+ * made from default state. */
 #ifndef TESTS_UNIT_RASTER_SETUP_H
 #define TESTS_UNIT_RASTER_SETUP_H
 
@@ -32,7 +33,8 @@ static inline void guarded_free(void *p)
 
 static inline size_t pixel_size(enum color_kind kind)
 {
-    static const size_t size[] = {[COLOR_UNORM8] = 4, [COLOR_UNORM16] = 8, [COLOR_FLOAT] = 16, [COLOR_565] = 2};
+    static const size_t size[] = {
+            [COLOR_UNORM8] = 4, [COLOR_UNORM16] = 8, [COLOR_FLOAT] = 16, [COLOR_565] = 2};
     return size[kind];
 }
 
@@ -43,7 +45,11 @@ static inline size_t pixels(const struct framebuffer *fb)
 
 static inline struct framebuffer framebuffer_make(int width, int height, enum color_kind kind, int depth_bits)
 {
-    struct framebuffer fb = {.width = width, .height = height, .color_kind = kind, .has_alpha = kind != COLOR_565, .depth_bits = depth_bits};
+    struct framebuffer fb = {.width = width,
+                             .height = height,
+                             .color_kind = kind,
+                             .has_alpha = kind != COLOR_565,
+                             .depth_bits = depth_bits};
     fb.stride = (width + FB_ALIGN - 1) / FB_ALIGN * FB_ALIGN;
     fb.depth_max = (1u << depth_bits) - 1;
     fb.color = guarded(pixels(&fb) * pixel_size(kind));
@@ -81,7 +87,8 @@ static inline void state_defaults(struct server_state *s)
     s->depth.depth_writemask = true;
     s->depth.depth_func = GL_LESS;
     s->stencil.stencil_func = s->color_buffer.alpha_test_func = GL_ALWAYS;
-    s->stencil.stencil_fail = s->stencil.stencil_pass_depth_fail = s->stencil.stencil_pass_depth_pass = GL_KEEP;
+    s->stencil.stencil_fail = s->stencil.stencil_pass_depth_fail = s->stencil.stencil_pass_depth_pass =
+            GL_KEEP;
     s->stencil.stencil_value_mask = s->stencil.stencil_writemask = 255;
     s->color_buffer.blend_src_rgb = s->color_buffer.blend_src_alpha = GL_ONE;
     s->color_buffer.blend_equation = GL_FUNC_ADD;
