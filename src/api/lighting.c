@@ -35,6 +35,7 @@ void fgl_exec_Lightfv(struct context *ctx, GLenum light, GLenum pname, const GLf
         transform_position(eye, m, params);
         params = eye;
     } else if (pname == GL_SPOT_DIRECTION) {
+        (void)fgl_matrix_class(fgl_matrix_top(&ctx->modelview)); /* OSMesa rule: a use, which classifies the matrix */
         transform_direction(eye, m, params);
         params = eye;
     }

@@ -127,6 +127,7 @@ void fgl_exec_PushMatrix(struct context *ctx)
     struct matrix_stack *stack = current_stack(ctx);
 
     RETURN_ERROR_IF(ctx, stack->top + 1 >= stack->limit, GL_STACK_OVERFLOW);
+    (void)fgl_matrix_class(fgl_matrix_top(stack)); /* OSMesa rule: a use, which classifies the matrix */
     stack->entry[stack->top + 1] = stack->entry[stack->top];
     stack->top++;
     stack->changed = false;

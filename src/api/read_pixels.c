@@ -23,6 +23,8 @@ void fgl_exec_ReadPixels(struct context *ctx, GLint x, GLint y, GLsizei width, G
     const GLenum error = fgl_pixel_check(format, type);
     RETURN_ERROR_IF(ctx, error, error);
     fgl_flush_vertices(ctx, 0);
+    if (ctx->dirty & DIRTY_MODELVIEW) /* OSMesa rule: reading validates, and validation classifies the matrix */
+        (void)fgl_matrix_class(fgl_matrix_top(&ctx->modelview));
     const struct framebuffer *fb = ctx->framebuffer;
     RETURN_ERROR_IF(ctx, !fb || !buffer_exists(ctx, format), GL_INVALID_OPERATION);
 

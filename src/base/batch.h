@@ -48,11 +48,9 @@ struct vertex_batch {
     /* out: written only where the plan says so */
     struct lanes4 clip;       /* clip space x y z w */
     struct lanes4 win;        /* window space x, y (y down, from the framebuffer's top), z in [0,1]; c[3] = 1/w_clip */
-    struct lanes4 eye;        /* eye space x y z w, when a stage reads it */
-    struct lanes4 normal;     /* eye (or light's object) space normal, when lighting reads it */
     struct lanes4 color[2];   /* lit or given colour, clamped to [0,1]; [1]: the back face's, when two-sided */
     struct lanes4 secondary[2]; /* separate specular colour, clamped */
-    float fog_z[FGL_BATCH_CAPACITY]; /* eye z, for fog */
+    float fog_z[FGL_BATCH_CAPACITY]; /* |z_eye|, for fog */
     float point_size[FGL_BATCH_CAPACITY];
     uint32_t outcode[FGL_BATCH_CAPACITY]; /* CLIP_* bits: the planes that the vertex lies outside of */
     uint32_t outcode_any;     /* OR over the batch */
