@@ -62,7 +62,7 @@ typedef void light_fn(const struct light_derived *light, const struct lighting_p
                                                const struct lighting_plan *FGL_RESTRICT plan, int face,      \
                                                struct vertex_work *FGL_RESTRICT work, int n)                 \
     {                                                                                                        \
-        add_light(light, plan, face, work, n, LIGHT_KEY(p, a, s, c, v, x, z, m));                            \
+        add_light(light, plan, face, work, n, LIGHT_KEY(p, a, s, c, v, x, z, m), NULL);                      \
     }
 EACH_LIGHT(LIGHT_KERNEL)
 
@@ -74,7 +74,23 @@ static void light_general(const struct light_derived *FGL_RESTRICT light,
                           const struct lighting_plan *FGL_RESTRICT plan, int face,
                           struct vertex_work *FGL_RESTRICT work, int n)
 {
-    add_light(light, plan, face, work, n, light->key);
+    add_light(light, plan, face, work, n, light->key, NULL);
+}
+
+/* The general kernel, noting the terms of the first vertex. */
+static FGL_NOINLINE void light_noted(const struct light_derived *light, const struct lighting_plan *plan,
+                                     int face, struct vertex_work *work, int n, struct face_trace *trace,
+                                     int index)
+{
+    struct light_terms *terms = &trace->light[index];
+    *terms = (struct light_terms){.attenuation = 1, .spot = 1};
+    add_light(light, plan, face, work, n, light->key, terms);
+}
+
+static void note3(double to[3], real from[3][VERTEX_CHUNK])
+{
+    for (int c = 0; c < 3; c++)
+        to[c] = (double)from[c][0];
 }
 
 /* The stages of a chunk, in the specification's order */
@@ -98,9 +114,9 @@ static void run_normals(const struct vertex_plan *plan, struct vertex_batch *b, 
         kernel(plan, work, n);
 }
 
-/* Lights one face into color[face] and secondary[face]. */
+/* Lights one face into color[face] and secondary[face]. trace: NULL but for fgl_vertex_trace. */
 static void run_face(const struct lighting_plan *plan, struct vertex_batch *b, int first, int n, int face,
-                     struct vertex_work *work, bool general)
+                     struct vertex_work *work, bool general, struct face_trace *trace)
 {
     const int alpha = plan->source[MAT_DIFFUSE][face];
 
@@ -108,10 +124,19 @@ static void run_face(const struct lighting_plan *plan, struct vertex_batch *b, i
         start_varying(plan, b, first, n, face, work);
     else
         start_constant(plan, face, n, work);
+    if (trace)
+        note3(trace->base, work->color);
     for (int i = 0; i < plan->n; i++) {
         const struct light_derived *light = &plan->light[i];
         light_fn *kernel = general ? NULL : light_kernel[light->key];
-        (kernel ? kernel : light_general)(light, plan, face, work, n);
+        if (trace)
+            light_noted(light, plan, face, work, n, trace, i);
+        else
+            (kernel ? kernel : light_general)(light, plan, face, work, n);
+    }
+    if (trace) {
+        note3(trace->sum, work->color);
+        note3(trace->specular_sum, work->specular);
     }
 
     clamp_sums(work->color, &b->color[face], first, n);
@@ -129,7 +154,8 @@ static void run_colors(struct vertex_batch *b, int first, int n)
         clamp_lane(b->in[ATTR_COLOR].c[c] + first, b->color[0].c[c] + first, n);
 }
 
-static void run(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n, bool general)
+static void run_chunk(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n, bool general,
+                      struct vertex_trace *trace)
 {
     struct vertex_work work;
 
@@ -141,6 +167,10 @@ static void run(const struct vertex_plan *plan, struct vertex_batch *b, int firs
         point_sizes(plan, b, first, n);
     if (plan->color_is_varying)
         run_colors(b, first, n);
+    if (trace) {
+        transform_eye(plan, b, first, n, &work);
+        note3(trace->eye, work.eye);
+    }
     if (!plan->lighting)
         return;
 
@@ -150,9 +180,22 @@ static void run(const struct vertex_plan *plan, struct vertex_batch *b, int firs
         normalize_view(&work, n);
     if (plan->need_normal)
         run_normals(plan, b, first, n, &work, general);
+    if (trace && plan->need_normal)
+        note3(trace->normal, work.normal);
     for (int face = 0; face <= plan->light.two_sided; face++)
-        run_face(&plan->light, b, first, n, face, &work, general);
+        run_face(&plan->light, b, first, n, face, &work, general, trace ? &trace->face[face] : NULL);
+}
+
+static void run(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n, bool general)
+{
+    run_chunk(plan, b, first, n, general, NULL);
+}
+
+static void trace_vertex(const struct vertex_plan *plan, struct vertex_batch *b, struct vertex_trace *trace)
+{
+    run_chunk(plan, b, 0, 1, true, trace);
 }
 
 extern const struct vertex_kernels KERNELS(FGL_ISA);
-const struct vertex_kernels KERNELS(FGL_ISA) = {.isa = ISA_STRING(FGL_ISA), .run = run};
+const struct vertex_kernels KERNELS(FGL_ISA) = {
+        .isa = ISA_STRING(FGL_ISA), .run = run, .trace = trace_vertex};

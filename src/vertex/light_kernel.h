@@ -28,10 +28,27 @@ static FGL_ALWAYS_INLINE struct real3 vec3_of(const float v[3])
     return r_vec3(v[0], v[1], v[2]);
 }
 
-/* Adds one light to the sums of n vertices, for one face: the back face's normal is the negated one. */
+/* Notes a term of vertex 0 where terms are asked for. In kernels that draw, `terms` is the constant NULL and
+ * this is nothing. */
+#define NOTE(field, value)                                                                                   \
+    do {                                                                                                     \
+        if (terms && i == 0)                                                                                 \
+            terms->field = (double)(value);                                                                  \
+    } while (0)
+#define NOTE3(field, v)                                                                                      \
+    do {                                                                                                     \
+        struct real3 noted = (v);                                                                            \
+        NOTE(field[0], noted.x);                                                                             \
+        NOTE(field[1], noted.y);                                                                             \
+        NOTE(field[2], noted.z);                                                                             \
+    } while (0)
+
+/* Adds one light to the sums of n vertices, for one face: the back face's normal is the negated one. terms:
+ * NULL, or where the factors of vertex 0 go. */
 static FGL_ALWAYS_INLINE void add_light(const struct light_derived *FGL_RESTRICT L,
                                         const struct lighting_plan *FGL_RESTRICT plan, int face,
-                                        struct vertex_work *FGL_RESTRICT work, int n, const unsigned key)
+                                        struct vertex_work *FGL_RESTRICT work, int n, const unsigned key,
+                                        struct light_terms *terms)
 {
     const bool positional = key & LIGHT_POSITIONAL, attenuated = key & LIGHT_ATTENUATED,
                spotted = key & LIGHT_SPOT;
@@ -51,18 +68,24 @@ static FGL_ALWAYS_INLINE void add_light(const struct light_derived *FGL_RESTRICT
             struct real3 to_light = r_sub3(position, load3(work->eye, i));
             real square = r_dot3(to_light, to_light), inverse = r_rsqrt(square);
             VP = r_scale3(to_light, inverse);
+            NOTE(distance, r_sqrt(square));
             if (attenuated) {
                 real d = r_sqrt(square);
                 att = 1 / ((L->k2 * square + L->k1 * d) + L->k0 * (inverse * d));
+                NOTE(attenuation, att);
             }
         }
         if (spotted) {
             real cosine = -r_dot3(VP, axis);
             real spot = r_select(L->cos_cutoff < cosine, r_pow(cosine, L->spot_exponent), 0);
             att = attenuated ? att * spot : spot;
+            NOTE(spot_cosine, cosine);
+            NOTE(spot, spot);
         }
         real n_dot_VP = side * r_dot3(normal, VP);
         real diffuse = r_max(n_dot_VP, 0);
+        NOTE3(VP, VP);
+        NOTE(n_dot_VP, n_dot_VP);
 
         if (specular) {
             struct real3 h = vec3_of(L->half);
@@ -77,6 +100,10 @@ static FGL_ALWAYS_INLINE void add_light(const struct light_derived *FGL_RESTRICT
             else
                 f_spec = r_pow(n_dot_h, shininess);
             f_spec = r_select(n_dot_VP > 0, f_spec, 0);
+            NOTE3(half, h);
+            NOTE(n_dot_h, n_dot_h);
+            NOTE(shininess, shininess);
+            NOTE(highlight, f_spec);
         }
 
         struct real3 c = load3(work->color, i),
@@ -86,10 +113,14 @@ static FGL_ALWAYS_INLINE void add_light(const struct light_derived *FGL_RESTRICT
             f_spec = f_spec * att;
             ambient = r_scale3(ambient, att);
         }
+        struct real3 d = r_scale3(light_product(L, work, face, i, COLOR_DIFFUSE, varying), diffuse);
         c = r_add3(ambient, c);
-        c = r_add3(r_scale3(light_product(L, work, face, i, COLOR_DIFFUSE, varying), diffuse), c);
+        c = r_add3(d, c);
+        NOTE3(ambient, ambient);
+        NOTE3(diffuse, d);
         if (specular) {
             struct real3 s = r_scale3(light_product(L, work, face, i, COLOR_SPECULAR, varying), f_spec);
+            NOTE3(specular, s);
             if (separate)
                 store3(work->specular, i, r_add3(s, load3(work->specular, i)));
             else
@@ -98,6 +129,8 @@ static FGL_ALWAYS_INLINE void add_light(const struct light_derived *FGL_RESTRICT
         store3(work->color, i, c);
     }
 }
+#undef NOTE
+#undef NOTE3
 
 /* One lane of a material parameter: the vertices' own, or the constant. */
 static FGL_ALWAYS_INLINE void load_parameter(const struct lighting_plan *FGL_RESTRICT plan,

@@ -98,6 +98,11 @@ void fgl_vertex_run(const struct vertex_plan *plan, struct vertex_batch *batch, 
     batch->outcode_all = batch->n ? all : 0;
 }
 
+void fgl_vertex_trace(const struct vertex_plan *plan, struct vertex_batch *batch, struct vertex_trace *trace)
+{
+    fgl_vertex_kernels()->trace(plan, batch, trace);
+}
+
 /* The kernels of each set that the build has. */
 #if defined(__x86_64__)
 extern const struct vertex_kernels fgl_vertex_kernels_sse2, fgl_vertex_kernels_avx2,

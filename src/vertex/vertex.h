@@ -94,11 +94,37 @@ void fgl_light_validate(struct vertex_plan *plan, struct context *ctx);
 /* Runs the stages of the plan over the batch. general: without specialised kernels; the same bits. */
 void fgl_vertex_run(const struct vertex_plan *plan, struct vertex_batch *batch, bool general);
 
+/* What the lighting equation makes of one vertex: the kernels' own values, noted by fgl_vertex_trace and
+ * never looked at by them. Vectors are in the lighting space. Terms that the plan leaves out are 0, or 1 for
+ * attenuation and spot. */
+struct light_terms {
+    double VP[3], distance, attenuation, spot_cosine, spot; /* distance: positional lights */
+    double n_dot_VP;
+    double half[3], n_dot_h, shininess, highlight; /* highlight: f (n . h)^shininess */
+    double ambient[3], diffuse[3], specular[3];    /* what the light adds, attenuated */
+};
+
+struct face_trace {
+    double base[3];                           /* emission and scene ambient */
+    struct light_terms light[FGL_MAX_LIGHTS]; /* as lighting_plan.light */
+    double sum[3], specular_sum[3];           /* before clamping; specular apart when separate */
+};
+
+struct vertex_trace {
+    double eye[3], normal[3]; /* normal: in the lighting space, scaled; only when the plan needs normals */
+    struct face_trace face[2];
+};
+
+/* Runs the stages of the plan over a batch of one vertex, with the general kernels, and notes their values.
+ */
+void fgl_vertex_trace(const struct vertex_plan *plan, struct vertex_batch *batch, struct vertex_trace *trace);
+
 /* The kernels of one instruction set (kernels.c). first is a multiple of 16; n is at most VERTEX_CHUNK. */
 enum { VERTEX_CHUNK = 256 };
 struct vertex_kernels {
     const char *isa;
     void (*run)(const struct vertex_plan *plan, struct vertex_batch *batch, int first, int n, bool general);
+    void (*trace)(const struct vertex_plan *plan, struct vertex_batch *batch, struct vertex_trace *trace);
 };
 
 /* The kernels that fgl_vertex_run uses; and those of one set, or NULL when the build or the CPU does not have
