@@ -32,6 +32,25 @@ GLAPI const char *GLAPIENTRY fixedglVersion(void);
  * others are not implemented yet). GL_INVALID_OPERATION: between glBegin and glEnd. */
 GLAPI GLenum GLAPIENTRY fixedglAccuracy(GLenum mode);
 
+/* Why a pixel has its colour (docs/explain.md).
+ *
+ * fixedglExplainPixel arms the pixel x, y, in window coordinates as glReadPixels has them, in the current context: from now on each
+ * draw notes what it does there; what was armed before is forgotten. Drawing becomes slower, its bytes stay the same. A negative
+ * x ends it. The pixel may lie outside of the framebuffer as long as nobody asks.
+ * GL_INVALID_VALUE: y is negative and x is not. GL_INVALID_OPERATION: between glBegin and glEnd. GL_OUT_OF_MEMORY. */
+GLAPI void GLAPIENTRY fixedglExplainPixel(GLint x, GLint y);
+
+/* The forms of an explanation. */
+#define FIXEDGL_TEXT 1 /* to read */
+#define FIXEDGL_JSON 2 /* to be read by a program; its members are listed in docs/explain.md */
+
+/* Explains the armed pixel as it is now: which primitives touched it since it was cleared; of the one that wrote its colour last, each
+ * vertex with its weight and every term of the lighting equation; and the fragment's way to the framebuffer. vertex: 0, 1 or 2 for that
+ * vertex of the primitive alone, -1 for all. The string is the context's, valid until the next call. NULL if there is
+ * an error or no current context. GL_INVALID_ENUM: form is none. GL_INVALID_VALUE: vertex is not -1..2. GL_INVALID_OPERATION: between
+ * glBegin and glEnd; no pixel is armed; it lies outside of the framebuffer. GL_OUT_OF_MEMORY. */
+GLAPI const char *GLAPIENTRY fixedglExplain(GLenum form, GLint vertex);
+
 #ifdef __cplusplus
 }
 #endif

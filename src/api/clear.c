@@ -2,6 +2,8 @@
 #include "api/command.h"
 #include "api/errors.h"
 #include "framebuffer/accum.h"
+#include "pipeline/explain.h"
+#include "pipeline/pipeline.h"
 #include "raster/raster.h"
 
 void fgl_exec_Clear(struct context *ctx, GLbitfield mask)
@@ -21,6 +23,8 @@ void fgl_exec_Clear(struct context *ctx, GLbitfield mask)
         fgl_clear_depth(fb, r, ctx->s.depth.depth_clear_value);
     if (mask & GL_STENCIL_BUFFER_BIT)
         fgl_clear_stencil(fb, r, ctx->s.stencil.stencil_clear_value, ctx->s.stencil.stencil_writemask);
+    if (FGL_UNLIKELY(ctx->pipeline->explain != NULL))
+        fgl_explain_clear(ctx, mask, r);
     if ((mask & GL_ACCUM_BUFFER_BIT) && fb->accum_bits) {
         RETURN_ERROR_IF(ctx, !fgl_framebuffer_need_accum(fb), GL_OUT_OF_MEMORY);
         fgl_accum_clear(fb, r, ctx->s.accum.accum_clear_value);

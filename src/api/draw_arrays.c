@@ -22,6 +22,7 @@ static void array_source(const struct context *ctx, struct vertex_source *source
 {
     source->varying = 0;
     source->compiled = false;
+    source->arrays = true;
     for (int a = 0; a < ATTR_MATERIAL; a++) {
         const struct vertex_array *v = &ctx->client.arrays.array[a];
         if (!v->enabled)

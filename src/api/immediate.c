@@ -69,7 +69,7 @@ void fgl_format_to_current(struct context *ctx, const struct vertex_format *form
 void fgl_format_source(const struct vertex_format *format, const float *store, struct vertex_source *source)
 {
     source->varying = format->active;
-    source->compiled = false;
+    source->compiled = source->arrays = false;
     for (int a = 0; a < ATTR_COUNT; a++) {
         if (format->active & (1u << a))
             source->attr[a] = (struct attr_source){store + format->offset[a], GL_FLOAT, format->size[a],

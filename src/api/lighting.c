@@ -39,6 +39,8 @@ void fgl_exec_Lightfv(struct context *ctx, GLenum light, GLenum pname, const GLf
         transform_direction(eye, m, params);
         params = eye;
     }
+    if (pname == GL_POSITION)
+        ctx->s.lighting.light[i].placed_under_identity = fgl_matrix_is_identity(fgl_matrix_top(&ctx->modelview));
     fgl_param_set(ctx, DIRTY_LIGHT, p, &ctx->s.lighting.light[i], params);
 }
 

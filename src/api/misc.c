@@ -3,6 +3,9 @@
 #include "api/errors.h"
 
 #include "fixedgl.h"
+#include "pipeline/explain.h"
+#include "pipeline/pipeline.h"
+#include "pipeline/plan_report.h"
 
 GLenum GLAPIENTRY glGetError(void)
 {
@@ -21,6 +24,10 @@ void fgl_exec_Flush(struct context *ctx)
     fgl_flush_vertices(ctx, 0);
     if (ctx->present)
         ctx->present(ctx);
+    if (FGL_UNLIKELY(ctx->pipeline->explain != NULL))
+        fgl_explain_write(ctx);
+    if (FGL_UNLIKELY(ctx->pipeline->report != NULL))
+        fgl_plan_report_write(ctx->pipeline);
 }
 
 void fgl_exec_Finish(struct context *ctx)

@@ -264,6 +264,7 @@ static const struct {
     PROC(OSMesaPixelStore),       PROC(OSMesaGetIntegerv),      PROC(OSMesaGetDepthBuffer),
     PROC(OSMesaGetColorBuffer),   PROC(OSMesaGetProcAddress),   PROC(OSMesaColorClamp),
     PROC(OSMesaPostprocess),      PROC(fixedglVersion),         PROC(fixedglAccuracy),
+    PROC(fixedglExplainPixel),    PROC(fixedglExplain),
 #undef PROC
 };
 

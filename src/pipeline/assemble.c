@@ -43,6 +43,7 @@ static FGL_NOINLINE void polygon_mode(struct pipeline *p, uint32_t a, uint32_t b
 {
     const struct vertex_cache *v = &p->cache;
     const float *va = record(p, a), *vb = record(p, b), *vc = record(p, c);
+    p->primitive = (struct primitive){3, {a, b, c}};
     const struct clip_vertices in = {
         .record = {va, vb, vc},
         .clip = {v->clip[a], v->clip[b], v->clip[c]},
@@ -74,6 +75,7 @@ static void line(const struct assembly *as, int i0, int i1, int *stipple_counter
     const uint32_t a = number(as, i0), b = number(as, i1);
     const struct vertex_cache *v = &p->cache;
     const float *va = record(p, a), *vb = record(p, b);
+    p->primitive = (struct primitive){2, {a, b, 0}};
     if ((v->outcode[a] | v->outcode[b]) == 0) {
         fgl_raster_line(&p->plan.raster, va, vb, vb, stipple_counter);
     } else if ((v->outcode[a] & v->outcode[b]) == 0) {
@@ -96,6 +98,7 @@ static void points(const struct assembly *as, int n)
     struct pipeline *p = as->p;
     for (int i = 0; i < n; i++) {
         const uint32_t v = number(as, i);
+        p->primitive = (struct primitive){1, {v, 0, 0}};
         if (p->cache.outcode[v] == 0)
             fgl_raster_point(&p->plan.raster, record(p, v), p->plan.raster.point_size);
     }

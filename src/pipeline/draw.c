@@ -1,5 +1,7 @@
 /* Draws: the vertex stage over all vertices that the primitives name, batch by batch, then assembly. */
+#include "pipeline/explain.h"
 #include "pipeline/pipeline.h"
+#include "pipeline/plan_report.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -14,6 +16,8 @@ struct pipeline *fgl_pipeline_create(void)
     const char *path = getenv("FIXEDGL_PATH"), *debug = getenv("FIXEDGL_DEBUG");
     p->general = path && strcmp(path, "general") == 0;
     p->print_plan = debug && strcmp(debug, "plan") == 0;
+    fgl_explain_from_environment(p);
+    fgl_plan_report_from_environment(p);
     return p;
 }
 
@@ -28,6 +32,8 @@ void fgl_pipeline_destroy(struct pipeline *p)
     free(p->cache.edge_flag);
     free(p->elements);
     fgl_triangles_free(&p->triangles);
+    fgl_explain_stop(p);
+    fgl_plan_report_free(p);
     fgl_workers_destroy(p->workers);
     for (int i = 0; i < FGL_MAX_WORKERS; i++)
         free(p->batch[i]);
@@ -138,6 +144,13 @@ static void out_of_memory(struct context *ctx)
         ctx->error = GL_OUT_OF_MEMORY;
 }
 
+void fgl_assemble_all(struct pipeline *p, const struct draw_prim *prims, int n, const uint32_t *elements, uint32_t base, bool compiled)
+{
+    for (int i = 0; i < n; i++)
+        fgl_assemble(p, &prims[i], elements, base, compiled);
+    fgl_triangles_flush(p);
+}
+
 void fgl_draw(struct context *ctx, const struct vertex_source *source, const struct draw_prim *prims, int n,
               const uint32_t *elements, uint32_t min_index, uint32_t max_index)
 {
@@ -157,7 +170,10 @@ void fgl_draw(struct context *ctx, const struct vertex_source *source, const str
         out_of_memory(ctx);
         return;
     }
-    for (int i = 0; i < n; i++)
-        fgl_assemble(p, &prims[i], elements, min_index, source->compiled);
-    fgl_triangles_flush(p);
+    if (FGL_UNLIKELY(p->report != NULL))
+        fgl_plan_report_note(ctx, source, min_index, vertices);
+    if (FGL_UNLIKELY(p->explain != NULL))
+        fgl_explain_draw(ctx, source, prims, n, elements, min_index);
+    else
+        fgl_assemble_all(p, prims, n, elements, min_index, source->compiled);
 }

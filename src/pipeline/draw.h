@@ -17,6 +17,7 @@ struct vertex_source {
     uint32_t varying; /* bit a: attr[a] is an array; the others are current values */
     struct attr_source attr[ATTR_COUNT];
     bool compiled; /* from a display list */
+    bool arrays;   /* from vertex arrays */
 };
 
 /* One primitive: vertices first .. first+count of the source, or of the elements. */

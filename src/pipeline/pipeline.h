@@ -37,12 +37,25 @@ struct vertex_cache {
     float *edge_flag; /* written when polygons are not filled */
 };
 
+/* A point, line or triangle: its vertices' numbers in the cache, the provoking one last. */
+struct primitive {
+    int n;
+    uint32_t vertex[3];
+};
+
+struct explain;
+struct plan_report;
+
 struct pipeline {
     struct plan plan;
     bool general;    /* FIXEDGL_PATH=general */
     bool print_plan; /* FIXEDGL_DEBUG=plan */
     struct vertex_cache cache;
     struct triangle_list triangles;
+    struct plan_report *report; /* plan_report.h; NULL: none is wanted */
+    struct explain *explain;    /* explain.h; NULL: no pixel is being explained */
+    struct primitive primitive; /* what is being assembled, for explain */
+    bool one_by_one;            /* triangles are drawn as `primitive` */
     struct workers *workers; /* started by the first large draw */
     struct vertex_batch *batch[FGL_MAX_WORKERS]; /* each worker's, allocated when first used */
     int stipple_counter; /* of polygons drawn as lines */
@@ -68,6 +81,9 @@ void fgl_fetch(struct vertex_batch *batch, const struct vertex_source *source, u
 
 /* One attribute of vertex i. */
 void fgl_fetch_one(const struct attr_source *a, int attr, uint32_t i, float v[4]);
+
+/* Assembles and draws all primitives of a draw. */
+void fgl_assemble_all(struct pipeline *p, const struct draw_prim *prims, int n, const uint32_t *elements, uint32_t base, bool compiled);
 
 /* assemble.c: the primitive's lines, points and triangles to the rasterizer. Vertex i is the cache's number i, or elements[i] - base. */
 void fgl_assemble(struct pipeline *p, const struct draw_prim *prim, const uint32_t *elements, uint32_t base, bool compiled);

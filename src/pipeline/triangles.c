@@ -78,11 +78,28 @@ static void fill_band(void *arg, int band, int worker)
             fill_triangle(job->p, &raster, &t->triangle[i]);
 }
 
+/* One triangle after the other, each made known, for explain. */
+static void fill_in_order(struct pipeline *p)
+{
+    struct triangle_list *t = &p->triangles;
+    for (int i = 0; i < t->n; i++) {
+        const struct listed_triangle *triangle = &t->triangle[i];
+        p->primitive = (struct primitive){3, {triangle->a, triangle->b, triangle->c}};
+        fill_triangle(p, &p->plan.raster, triangle);
+    }
+    t->n = 0;
+    t->area = 0;
+}
+
 void fgl_triangles_flush(struct pipeline *p)
 {
     struct triangle_list *t = &p->triangles;
     if (t->n == 0)
         return;
+    if (FGL_UNLIKELY(p->one_by_one)) {
+        fill_in_order(p);
+        return;
+    }
     const bool worth = t->n > 1 && (t->n >= SHARED_TRIANGLES || t->area >= SHARED_AREA);
     struct workers *w = worth ? fgl_pipeline_workers(p) : NULL;
     struct fill_job job = {p, 1};

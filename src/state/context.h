@@ -36,6 +36,7 @@ struct light {
     float spot_exponent, spot_cutoff; /* degrees, 0..90 or 180 */
     float constant_attenuation, linear_attenuation, quadratic_attenuation;
     bool enabled;
+    bool placed_under_identity; /* the modelview matrix was the identity when the position was given; for explain */
 };
 
 /* Tables 6.9, 6.10 "Lighting" (GL_LIGHTING_BIT). */

@@ -7,6 +7,14 @@
 #include <math.h>
 #include <string.h>
 
+bool fgl_matrix_is_identity(const struct matrix *m)
+{
+    for (int i = 0; i < 16; i++)
+        if (m->m[i] != identity[i])
+            return false;
+    return true;
+}
+
 void fgl_matrix_set_identity(struct matrix *m)
 {
     fgl_matrix_load_identity(m);

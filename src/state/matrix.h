@@ -39,6 +39,8 @@ struct matrix_stack {
 
 static inline struct matrix *fgl_matrix_top(struct matrix_stack *stack) { return &stack->entry[stack->top]; }
 
+/* Whether its values are those of the identity. */
+bool fgl_matrix_is_identity(const struct matrix *m);
 void fgl_matrix_set_identity(struct matrix *m); /* a new context's matrix: flags cleared too */
 void fgl_matrix_load_identity(struct matrix *m);
 void fgl_matrix_load(struct matrix *m, const float v[16]);
