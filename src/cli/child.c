@@ -17,7 +17,7 @@ extern char **environ;
 /* Inherited variables whose names begin so are dropped. */
 static const char *const dropped[] = {
         "FIXEDGL_CAPTURE", "FIXEDGL_SIZE", "FIXEDGL_FRAMES",
-        "FIXEDGL_EVENTS",  "LD_PRELOAD=",  "MESA_",
+        "FIXEDGL_EVENTS",  "LD_PRELOAD=",  "MESA_", "FIXEDGL_EXPLAIN", "FIXEDGL_PLAN",
         "GALLIUM_",        "GALLIVM_",     "LP_",
         "DRAW_",           "LIBGL_",
 };

@@ -6,6 +6,12 @@
  */
 int fgl_cli_diff(int argc, char **argv);
 
+/* Runs a program and prints why a pixel of its picture has its colour. */
+int fgl_cli_explain(int argc, char **argv);
+
+/* Runs a program and prints the plans of its draws, with their costs. */
+int fgl_cli_plan(int argc, char **argv);
+
 /* Prints what FixedGL, OSMesa or a given library says about itself. */
 int fgl_cli_info(int argc, char **argv);
 

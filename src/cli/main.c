@@ -16,7 +16,9 @@ struct subcommand {
 
 static const struct subcommand subcommands[] = {
         {"diff", "draw every example with FixedGL and OSMesa and compare them byte by byte", fgl_cli_diff},
+        {"explain", "run a program and print why a pixel has its colour", fgl_cli_explain},
         {"info", "print what FixedGL and OSMesa say about themselves", fgl_cli_info},
+        {"plan", "run a program and print the plans of its draws, with their costs", fgl_cli_plan},
 };
 
 static int print_help(void)
