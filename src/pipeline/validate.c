@@ -74,7 +74,7 @@ static void update_fragment(struct context *ctx, struct pipeline *p, uint32_t va
     f->has_secondary = ctx->s.lighting.lighting && ctx->s.lighting.light_model_color_control == GL_SEPARATE_SPECULAR_COLOR;
     fgl_fragment_validate(f, &ctx->s, ctx->framebuffer, p->general);
     fgl_raster_validate(&plan->raster, &ctx->s, f);
-    plan->polygon_fill = ctx->s.polygon.polygon_mode[0] == GL_FILL && ctx->s.polygon.polygon_mode[1] == GL_FILL;
+    plan->polygon_fill = plan->raster.polygon_mode[0] == GL_FILL && plan->raster.polygon_mode[1] == GL_FILL;
     const struct rect *b = &plan->raster.bounds;
     plan->rasterize = b->x0 < b->x1 && b->y0 < b->y1 && ctx->s.color_buffer.draw_buffer != GL_NONE;
 }
