@@ -36,13 +36,13 @@ static int round_position(float v)
     return (int)(c < 0.0f ? c - 0.5f : c + 0.5f);
 }
 
-static bool place(const struct context *ctx, int width, int height, const struct rect *bounds,
+static bool place(const struct context *ctx, int width, int height, const struct rect *bounds, bool copied,
                   struct zoom *zoom, struct rect *area)
 {
     const struct framebuffer *fb = ctx->framebuffer;
     const float *position = ctx->s.current.raster_position;
     fgl_zoom_setup(zoom, round_position(position[0]), round_position(position[1]), width, height,
-                   ctx->s.pixel_mode.zoom_x, ctx->s.pixel_mode.zoom_y, fb->width, fb->height);
+                   ctx->s.pixel_mode.zoom_x, ctx->s.pixel_mode.zoom_y, fb->width, fb->height, copied);
     area->x0 = fgl_max(zoom->covered.x0, bounds->x0);
     area->y0 = fgl_max(zoom->covered.y0, bounds->y0);
     area->x1 = fgl_min(zoom->covered.x1, bounds->x1);
@@ -132,12 +132,13 @@ static void draw_rows(struct rectangle *r)
     }
 }
 
-static void draw_fragments(struct context *ctx, int width, int height, const struct pixel_unpack *unpack)
+static void draw_fragments(struct context *ctx, int width, int height, const struct pixel_unpack *unpack,
+                           bool copied)
 {
     const bool depth = unpack->image.format->channel[0] == CHANNEL_DEPTH;
     struct rectangle r = {.unpack = *unpack, .planes = depth ? 1 : 4};
     fgl_pixels_begin(ctx, depth ? PIXELS_DEPTH : PIXELS_COLOR, &r.draw);
-    if (!place(ctx, width, height, &r.draw.bounds, &r.zoom, &r.area))
+    if (!place(ctx, width, height, &r.draw.bounds, copied, &r.zoom, &r.area))
         return;
     RETURN_ERROR_IF(ctx, !choose_columns(&r, ctx->framebuffer->stride), GL_OUT_OF_MEMORY);
     r.draw.fragment.pixels = &r.draw.inputs;
@@ -152,7 +153,8 @@ static void draw_fragments(struct context *ctx, int width, int height, const str
 
 /* ---- stencil: straight into the buffer (3.6.4 "Final Conversion": scissor and mask alone apply) ---- */
 
-static void draw_stencil(struct context *ctx, int width, int height, const struct pixel_unpack *unpack)
+static void draw_stencil(struct context *ctx, int width, int height, const struct pixel_unpack *unpack,
+                         bool copied)
 {
     struct framebuffer *fb = ctx->framebuffer;
     struct pixel_draw draw;
@@ -160,7 +162,7 @@ static void draw_stencil(struct context *ctx, int width, int height, const struc
     struct rect area;
     RETURN_ERROR_IF(ctx, !fgl_framebuffer_need_stencil(fb), GL_OUT_OF_MEMORY);
     fgl_pixels_begin(ctx, PIXELS_DEPTH, &draw);
-    if (!place(ctx, width, height, &draw.bounds, &zoom, &area))
+    if (!place(ctx, width, height, &draw.bounds, copied, &zoom, &area))
         return;
     const uint8_t mask = (uint8_t)ctx->s.stencil.stencil_writemask;
     for (int y = area.y0; y < area.y1; y++)
@@ -194,8 +196,9 @@ static GLenum draw_pixels_error(const struct context *ctx, GLsizei width, GLsize
     return error ? error : buffer_error(ctx, format);
 }
 
-void fgl_draw_pixels(struct context *ctx, int width, int height, GLenum format, GLenum type,
-                     const struct pixel_store *store, const void *pixels)
+/* copied: the pixels are from the framebuffer. */
+static void draw_image(struct context *ctx, int width, int height, GLenum format, GLenum type,
+                       const struct pixel_store *store, const void *pixels, bool copied)
 {
     fgl_flush_vertices(ctx, 0);
     if (!ctx->framebuffer || !ctx->s.current.raster_position_valid || width == 0 || height == 0)
@@ -209,9 +212,9 @@ void fgl_draw_pixels(struct context *ctx, int width, int height, GLenum format, 
             .maps = ctx->pixel_map,
     };
     if (format == GL_STENCIL_INDEX)
-        draw_stencil(ctx, width, height, &unpack);
+        draw_stencil(ctx, width, height, &unpack, copied);
     else
-        draw_fragments(ctx, width, height, &unpack);
+        draw_fragments(ctx, width, height, &unpack, copied);
 }
 
 struct image_node {
@@ -236,7 +239,7 @@ void fgl_list_replay_draw_pixels(struct context *ctx, const void *payload)
     const struct image_node *n = payload;
     const GLenum error = draw_pixels_error(ctx, n->width, n->height, n->format, n->type);
     RETURN_ERROR_IF(ctx, error, error);
-    fgl_draw_pixels(ctx, n->width, n->height, n->format, n->type, &fgl_packed_store, n->pixels);
+    draw_image(ctx, n->width, n->height, n->format, n->type, &fgl_packed_store, n->pixels, false);
 }
 
 void GLAPIENTRY glDrawPixels(GLsizei width, GLsizei height, GLenum format, GLenum type, const GLvoid *pixels)
@@ -253,7 +256,7 @@ void GLAPIENTRY glDrawPixels(GLsizei width, GLsizei height, GLenum format, GLenu
     if (ctx->compiling)
         record(ctx, width, height, format, type, pixels);
     if (ctx->compiling != GL_COMPILE)
-        fgl_draw_pixels(ctx, width, height, format, type, &ctx->client.unpack, pixels);
+        draw_image(ctx, width, height, format, type, &ctx->client.unpack, pixels, false);
 }
 
 void fgl_exec_PixelZoom(struct context *ctx, GLfloat xfactor, GLfloat yfactor)
@@ -299,6 +302,18 @@ static void *read_rectangle(const struct context *ctx, int x, int y, int width, 
     return pixels;
 }
 
+/* The depths of a rectangle to floats, in place. OSMesa rule: they pass through a texture of the buffer's
+ * steps, and each way multiplies by the reciprocal of the greatest depth, which may end a step beside. */
+static void copied_depths(const struct framebuffer *fb, uint32_t *depth, size_t n)
+{
+    const float max = (float)fb->depth_max, step = 1.0f / max;
+    for (size_t i = 0; i < n; i++) {
+        const float in_texture = (float)(depth[i] >> (32 - fb->depth_bits)) * step;
+        const float shown = rintf(in_texture * max) * step;
+        memcpy(&depth[i], &shown, sizeof shown);
+    }
+}
+
 void fgl_exec_CopyPixels(struct context *ctx, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type)
 {
     RETURN_ERROR_IF(ctx, width < 0 || height < 0, GL_INVALID_VALUE);
@@ -315,6 +330,9 @@ void fgl_exec_CopyPixels(struct context *ctx, GLint x, GLint y, GLsizei width, G
     const GLenum component = copied_type(ctx->framebuffer, type);
     void *pixels = read_rectangle(ctx, x, y, width, height, format, component);
     RETURN_ERROR_IF(ctx, !pixels, GL_OUT_OF_MEMORY);
-    fgl_draw_pixels(ctx, width, height, format, component, &fgl_packed_store, pixels);
+    if (type == GL_DEPTH)
+        copied_depths(ctx->framebuffer, pixels, (size_t)width * (size_t)height);
+    draw_image(ctx, width, height, format, type == GL_DEPTH ? GL_FLOAT : component, &fgl_packed_store, pixels,
+               true);
     free(pixels);
 }

@@ -4,13 +4,11 @@
 
 #include "framebuffer/pixel_format.h"
 
-/* The execution of glDrawPixels and glBitmap: arguments checked. `store` says how `pixels` lie in memory. */
-void fgl_draw_pixels(struct context *ctx, int width, int height, GLenum format, GLenum type,
-                     const struct pixel_store *store, const void *pixels);
+/* The execution of glBitmap: arguments checked. `store` says how `bits` lie in memory. */
 void fgl_bitmap(struct context *ctx, int width, int height, const float origin[2], const float move[2],
                 const struct pixel_store *store, const void *bits);
 
-/* The same from the payload of a node. */
+/* The execution of glDrawPixels and glBitmap from the payload of a node. */
 void fgl_list_replay_draw_pixels(struct context *ctx, const void *payload);
 void fgl_list_replay_bitmap(struct context *ctx, const void *payload);
 

@@ -33,7 +33,7 @@ static struct rect coverage(const double x[2], const double y[2], int fb_width, 
 }
 
 void fgl_zoom_setup(struct zoom *z, int x, int y, int width, int height, float zoom_x, float zoom_y,
-                    int fb_width, int fb_height)
+                    int fb_width, int fb_height, bool top_first)
 {
     const float w = (float)fb_width, h = (float)fb_height;
     const float x0 = through_clip((float)x, w, w * 0.5f);
@@ -44,6 +44,7 @@ void fgl_zoom_setup(struct zoom *z, int x, int y, int width, int height, float z
 
     z->width = width;
     z->height = height;
+    z->top_first = top_first;
     z->covered = coverage(sx, sy, fb_width, fb_height);
     z->a = sy[1] - sy[0];
     z->b = sx[0] - sx[1];
@@ -53,11 +54,12 @@ void fgl_zoom_setup(struct zoom *z, int x, int y, int width, int height, float z
      * the first. */
     const float ooa = 1.0f / ((x1 - x0) * (y0 - y1));
     z->sx = (y0 - y1) * ooa;
-    z->ty = -((x1 - x0) * ooa);
+    z->ty = top_first ? (x1 - x0) * ooa : -((x1 - x0) * ooa);
     const bool exchanged = (zoom_x > 0.0f) == (zoom_y > 0.0f);
     z->s0 = exchanged ? 1.0f - z->sx * (x1 - 0.5f) : 0.0f - z->sx * (x0 - 0.5f);
-    z->t0[0] = 1.0f - z->ty * (y1 - 0.5f);
-    z->t0[1] = exchanged ? 0.0f - z->ty * (y0 - 0.5f) : z->t0[0];
+    const float at_y0 = top_first ? 1.0f : 0.0f, at_y1 = 1.0f - at_y0;
+    z->t0[0] = at_y1 - z->ty * (y1 - 0.5f);
+    z->t0[1] = exchanged ? at_y0 - z->ty * (y0 - 0.5f) : z->t0[0];
 }
 
 static int texel(float coordinate, int size)
@@ -73,7 +75,8 @@ int fgl_zoom_column(const struct zoom *z, int x)
 
 int fgl_zoom_row(const struct zoom *z, int y, int triangle)
 {
-    return texel(fgl_fma(z->ty, (float)y, z->t0[triangle]), z->height);
+    const int row = texel(fgl_fma(z->ty, (float)y, z->t0[triangle]), z->height);
+    return z->top_first ? z->height - 1 - row : row;
 }
 
 bool fgl_zoom_in_first(const struct zoom *z, int x, int y)

@@ -3,7 +3,8 @@
  *
  * OSMesa rule: the rectangle is two triangles with the image as a texture, nearest texel; (x0, y1) (x1, y1) (x1, y0) and (x0, y1) (x1, y0)
  * (x0, y0), where (x0, y0) is the raster position. Where a pixel's centre falls on the boundary of two texels, as every centre does when
- * the zoom is 1/2, the last bits of the texture coordinates decide, so they are computed here as there. */
+ * the zoom is 1/2, the last bits of the texture coordinates decide, so they are computed here as there. The texture of a copied
+ * rectangle has the window's order of rows, the highest first. */
 #ifndef FGL_RASTER_ZOOM_H
 #define FGL_RASTER_ZOOM_H
 
@@ -12,14 +13,16 @@
 struct zoom {
     struct rect covered; /* window pixels, y down, inside the framebuffer */
     int width, height;   /* of the image */
+    bool top_first;      /* the texture's rows are the image's from its last to its first */
     float s0, sx;        /* s of column X is fma(sx, X, s0); 0..1 over the image */
     float t0[2], ty;     /* t of row Y, y down, in the first and the second triangle */
     double a, b, c;      /* pixel (X, Y) is in the first triangle where c - 256 a X + 256 b Y > 0 */
 };
 
-/* (x, y): the raster position in pixels, y up. fb_width, fb_height: the framebuffer's size. */
+/* (x, y): the raster position in pixels, y up. fb_width, fb_height: the framebuffer's size. top_first: as in
+ * struct zoom. */
 void fgl_zoom_setup(struct zoom *z, int x, int y, int width, int height, float zoom_x, float zoom_y, int fb_width,
-                    int fb_height);
+                    int fb_height, bool top_first);
 
 /* The image's column that window column X shows. */
 int fgl_zoom_column(const struct zoom *z, int x);

@@ -282,6 +282,50 @@ static void test_copy_pixels(void **state)
     EXPECT_ROW(20, 21, 10, 10, 20, 20, 0);
 }
 
+/* OSMesa rule: where a pixel's centre lies between two rows of the image, the last bits of a texture
+ * coordinate decide, and a copied image's texture has the highest row first. */
+static void test_copy_ties(void **state)
+{
+    (void)state;
+    static const unsigned char image[6] = {10, 20, 30, 40, 50, 60};
+    start();
+    glWindowPos2i(10, 10);
+    glDrawPixels(1, 6, GL_RED, GL_UNSIGNED_BYTE, image);
+    glPixelZoom(1, 0.5f);
+    glWindowPos2i(12, 15);
+    glDrawPixels(1, 6, GL_RED, GL_UNSIGNED_BYTE, image);
+    glWindowPos2i(13, 15);
+    glCopyPixels(10, 10, 1, 6, GL_COLOR);
+    EXPECT_ROW(12, 15, 20, 20, 0);
+    EXPECT_ROW(12, 16, 40, 30, 0);
+    EXPECT_ROW(12, 17, 60, 50, 0);
+}
+
+/* OSMesa rule: copied depths are multiplied by 1 / (2^24 - 1) and by 2^24 - 1 twice, in floats. */
+static void test_copy_depth(void **state)
+{
+    (void)state;
+    static const GLuint depths[3] = {0x400000, 0xe49541, 0xfe37b8},
+                        expected[3] = {0x400000, 0xe49543, 0xfe37ba};
+    GLfloat image[3];
+    GLuint depth[3];
+    start();
+    for (int i = 0; i < 3; i++)
+        image[i] = (GLfloat)(depths[i] / 16777215.0);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_ALWAYS);
+    glWindowPos2i(5, 5);
+    glDrawPixels(3, 1, GL_DEPTH_COMPONENT, GL_FLOAT, image);
+    glWindowPos2i(5, 6);
+    glCopyPixels(5, 5, 3, 1, GL_DEPTH);
+    glReadPixels(5, 5, 3, 1, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, depth);
+    for (int i = 0; i < 3; i++)
+        assert_int_equal(depth[i] >> 8, depths[i]);
+    glReadPixels(5, 6, 3, 1, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, depth);
+    for (int i = 0; i < 3; i++)
+        assert_int_equal(depth[i] >> 8, expected[i]);
+}
+
 /* ---- 3.6.3 ---- */
 
 static void test_pixel_transfer(void **state)
@@ -446,6 +490,8 @@ int main(void)
             GL_TEST(test_draw_pixels_fragments),
             GL_TEST(test_draw_depth_and_stencil),
             GL_TEST(test_copy_pixels),
+            GL_TEST(test_copy_ties),
+            GL_TEST(test_copy_depth),
             GL_TEST(test_pixel_transfer),
             GL_TEST(test_pixel_maps),
             GL_TEST(test_bitmap),
