@@ -15,32 +15,6 @@ struct compiled_vertices {
     float vertex[];
 };
 
-void fgl_list_record_vertices(struct context *ctx, struct immediate *im)
-{
-    const size_t bytes = (size_t)im->count * (size_t)im->format.floats * sizeof(float);
-    struct compiled_vertices *node = fgl_list_record(ctx, OP_VERTICES, sizeof *node + bytes);
-    if (!node)
-        return;
-    node->format = im->format;
-    node->count = im->count;
-    node->prim_count = im->prim_count;
-    node->whole = im->count > 0;
-    for (int i = 0; i < im->prim_count; i++)
-        node->whole = node->whole && im->prim[i].begin && im->prim[i].end;
-    memcpy(node->unset, im->unset, sizeof node->unset);
-    memcpy(node->prim, im->prim, sizeof node->prim);
-    memcpy(node->last, im->vertex, sizeof node->last);
-    memcpy(node->vertex, im->store, bytes);
-    if (ctx->compiling == GL_COMPILE_AND_EXECUTE) {
-        const GLenum compiling = ctx->compiling;
-        ctx->compiling = 0;
-        ctx->vertices = ctx->immediate;
-        fgl_list_replay_vertices(ctx, node);
-        ctx->compiling = compiling;
-        ctx->vertices = im;
-    }
-}
-
 /* Gives vertices recorded before an attribute's first value in the list the current value. */
 static void fill_unset(struct context *ctx, struct compiled_vertices *c)
 {
@@ -73,6 +47,31 @@ static void replay_by_vertex(struct context *ctx, const struct compiled_vertices
             RETURN_ERROR_IF(ctx, ctx->begin_mode == OUTSIDE_BEGIN_END, GL_INVALID_OPERATION);
             fgl_end(ctx);
         }
+    }
+}
+
+void fgl_list_record_vertices(struct context *ctx, struct immediate *im)
+{
+    const size_t bytes = (size_t)im->count * (size_t)im->format.floats * sizeof(float);
+    struct compiled_vertices *node = fgl_list_record(ctx, OP_VERTICES, sizeof *node + bytes);
+    if (!node)
+        return;
+    node->format = im->format;
+    node->count = im->count;
+    node->prim_count = im->prim_count;
+    node->whole = im->count > 0;
+    for (int i = 0; i < im->prim_count; i++)
+        node->whole = node->whole && im->prim[i].begin && im->prim[i].end;
+    memcpy(node->unset, im->unset, sizeof node->unset);
+    memcpy(node->prim, im->prim, sizeof node->prim);
+    memcpy(node->last, im->vertex, sizeof node->last);
+    memcpy(node->vertex, im->store, bytes);
+    if (ctx->compiling == GL_COMPILE_AND_EXECUTE) { /* OSMesa rule: drawn in the immediate way, unlike the list */
+        ctx->compiling = 0;
+        ctx->vertices = ctx->immediate;
+        replay_by_vertex(ctx, node);
+        ctx->compiling = GL_COMPILE_AND_EXECUTE;
+        ctx->vertices = im;
     }
 }
 
