@@ -1,0 +1,96 @@
+/* A walk over a script's primitives. */
+#include "fair.h"
+
+#include <GL/gl.h>
+#include <string.h>
+
+struct primitive {
+    bool open, steady, in_list, counted; /* counted: its vertices are all in the script */
+    int mode, vertices;
+    unsigned attributes; /* given so far */
+};
+
+/* The vertex attribute that a command gives: a bit; 0: none. */
+static unsigned attribute_of(int command)
+{
+    if (command >= CMD_Normal3b && command < CMD_Color3b)
+        return 1;
+    if (command >= CMD_Color3b && command < CMD_TexCoord1f)
+        return 2;
+    if (command >= CMD_TexCoord1f && command < CMD_EdgeFlag)
+        return 4;
+    if (command == CMD_EdgeFlag || command == CMD_EdgeFlagv)
+        return 8;
+    return command >= CMD_Materialf && command <= CMD_Materialiv ? 16 : 0;
+}
+
+static bool complete(int mode, int n)
+{
+    static const int least[10] = {1, 2, 2, 2, 3, 3, 3, 4, 4, 3}, step[10] = {1, 2, 1, 1, 3, 1, 1, 4, 2, 1};
+    return mode < 0 || mode > GL_POLYGON || (n >= least[mode] && n % step[mode] == 0);
+}
+
+static bool fair_end(const struct primitive *p)
+{
+    if (!p->counted)
+        return true;
+    return p->vertices > 0 && !(p->mode == GL_TRIANGLES && p->vertices / 3 == 3) &&
+           (!p->in_list || complete(p->mode, p->vertices));
+}
+
+/* A command between Begin and End. */
+static bool fair_inside(struct primitive *p, int command)
+{
+    const unsigned attribute = attribute_of(command);
+    if (command >= CMD_Vertex2d && command < CMD_Normal3b)
+        p->vertices++;
+    else if (command == CMD_ArrayElement || command == CMD_CallList || command == CMD_CallLists)
+        p->counted = false;
+    if (p->steady && attribute && p->vertices > 0 && !(p->attributes & attribute))
+        return false;
+    p->attributes |= attribute;
+    return true;
+}
+
+static bool fair_pop(const struct script *s, int i)
+{
+    const int before = i > 0 ? s->op[i - 1].command : -1, after = i + 1 < s->ops ? s->op[i + 1].command : -1;
+    return before == CMD_End && attribute_of(after) == 2;
+}
+
+/* A command outside Begin and End that may not stand there: in a list an attribute, elsewhere a call of a list without a query before. */
+static bool fair_outside(const struct script *s, int i, bool in_list)
+{
+    const int command = s->op[i].command;
+    if (in_list)
+        return attribute_of(command) == 0 || attribute_of(command) > 8;
+    return (command != CMD_CallList && command != CMD_CallLists) || (i > 0 && s->op[i - 1].command == CMD_GetFloatv);
+}
+
+bool script_is_fair(const struct script *s)
+{
+    struct primitive p = {0};
+    bool in_list = false, executed = false;
+    int pushed = 0;
+    for (int i = 0; i < s->ops; i++) {
+        const int command = s->op[i].command;
+        if (command == CMD_NewList || command == CMD_EndList)
+            in_list = command == CMD_NewList;
+        if (command == CMD_NewList)
+            executed = s->value[s->op[i].first + 1] == GL_COMPILE_AND_EXECUTE;
+        pushed += (command == CMD_PushAttrib) - (command == CMD_PopAttrib);
+        if (pushed > 1 || (command == CMD_PopAttrib && !fair_pop(s, i)))
+            return false;
+        if (command == CMD_Begin) {
+            const int mode = (int)s->value[s->op[i].first];
+            p = (struct primitive){true, in_list || mode == GL_LINE_LOOP, in_list, true, mode, 0, 0};
+        } else if (command == CMD_End) {
+            if (!fair_end(&p) || (in_list && attribute_of(s->op[i - 1].command)))
+                return false;
+            p.open = false;
+        } else if (p.open ? !fair_inside(&p, command) || (in_list && executed && attribute_of(command)) : !fair_outside(s, i, in_list)) {
+            return false;
+        }
+    }
+    return true;
+}

@@ -1,0 +1,70 @@
+/* Features: errors, values of state, pixels read back. */
+#include "generator.h"
+
+void feature_errors(struct generator *g)
+{
+    switch (below(g, 16)) {
+    case 0: EMIT(g, Begin, 10); EMIT0(g, End); break;
+    case 1: EMIT(g, Enable, GL_TRIANGLES + 0x9999); break;
+    case 2: EMIT(g, LineWidth, ONE_OF(g, 0, -1)); break;
+    case 3: EMIT(g, PointSize, ONE_OF(g, 0, -2)); break;
+    case 4: EMIT(g, Viewport, 0, 0, -1, 5); break;
+    case 5: EMIT(g, Lightf, ONE_OF(g, GL_LIGHT0, GL_LIGHT0 + 8), GL_SPOT_CUTOFF, ONE_OF(g, 91, -1, 200)); break;
+    case 6: EMIT(g, Materialf, GL_FRONT, GL_SHININESS, ONE_OF(g, -1, 129)); break;
+    case 7: EMIT(g, DepthFunc, GL_FRONT); break;
+    case 8: EMIT(g, Frustum, -1, 1, -1, 1, ONE_OF(g, -1, 0), 10); break;
+    case 9: EMIT(g, Ortho, 1, 1, -1, 1, -1, 1); break;
+    case 10: EMIT(g, Clear, 1 << 20); break;
+    case 11: EMIT(g, Scissor, 0, 0, 5, -1); break;
+    case 12: EMIT(g, DrawArrays, ONE_OF(g, 0, 99), 0, -1); break;
+    case 13: EMIT(g, BlendFunc, GL_FRONT, GL_ONE); break;
+    case 14: EMIT(g, CallList, 9999); break;
+    default: EMIT(g, ShadeModel, GL_LINE);
+    }
+}
+
+void feature_pixel_store(struct generator *g)
+{
+    EMIT(g, PixelStorei, GL_PACK_ALIGNMENT, 1 << below(g, 4));
+    if (chance(g, 30))
+        EMIT(g, PixelStorei, GL_PACK_SKIP_PIXELS, below(g, 4));
+    if (chance(g, 30))
+        EMIT(g, PixelStorei, GL_PACK_SKIP_ROWS, below(g, 3));
+    if (chance(g, 20))
+        EMIT(g, PixelStorei, GL_PACK_SWAP_BYTES, below(g, 2));
+}
+
+void feature_read_pixels(struct generator *g)
+{
+    const int width = g->script->width, height = g->script->height, x = below(g, width), y = below(g, height);
+    const double format = ONE_OF(g, GL_RGBA, GL_RGBA, GL_RGB, GL_BGRA, GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA, GL_LUMINANCE,
+                                 GL_LUMINANCE_ALPHA, GL_DEPTH_COMPONENT, GL_STENCIL_INDEX);
+    EMIT(g, ReadPixels, x, y, integer(g, 1, width - x), integer(g, 1, height - y), format,
+         ONE_OF(g, GL_UNSIGNED_BYTE, GL_UNSIGNED_BYTE, GL_BYTE, GL_UNSIGNED_SHORT, GL_SHORT, GL_UNSIGNED_INT, GL_INT, GL_FLOAT));
+}
+
+void feature_get(struct generator *g)
+{
+    static const double names[] = {
+            GL_MODELVIEW_MATRIX, GL_PROJECTION_MATRIX, GL_TEXTURE_MATRIX, GL_CURRENT_COLOR, GL_CURRENT_NORMAL, GL_CURRENT_TEXTURE_COORDS,
+            GL_EDGE_FLAG, GL_VIEWPORT, GL_DEPTH_RANGE, GL_FOG_COLOR, GL_FOG_DENSITY, GL_FOG_MODE, GL_LIGHT_MODEL_AMBIENT, GL_POINT_SIZE,
+            GL_LINE_WIDTH, GL_LINE_STIPPLE_PATTERN, GL_LINE_STIPPLE_REPEAT, GL_POLYGON_MODE, GL_CULL_FACE_MODE, GL_FRONT_FACE,
+            GL_SCISSOR_BOX, GL_ALPHA_TEST_REF, GL_STENCIL_REF, GL_STENCIL_VALUE_MASK, GL_STENCIL_WRITEMASK, GL_BLEND_SRC, GL_BLEND_DST,
+            GL_LOGIC_OP_MODE, GL_COLOR_WRITEMASK, GL_COLOR_CLEAR_VALUE, GL_DEPTH_CLEAR_VALUE, GL_STENCIL_CLEAR_VALUE, GL_DEPTH_FUNC,
+            GL_DEPTH_WRITEMASK, GL_SHADE_MODEL, GL_MATRIX_MODE, GL_MODELVIEW_STACK_DEPTH, GL_ATTRIB_STACK_DEPTH, GL_LIST_BASE,
+            GL_LIST_INDEX, GL_LIST_MODE, GL_COLOR_MATERIAL_FACE, GL_COLOR_MATERIAL_PARAMETER, GL_POLYGON_OFFSET_FACTOR, GL_DRAW_BUFFER};
+    const double name = one_of(g, (int)(sizeof names / sizeof names[0]), names);
+    switch (below(g, 8)) {
+    case 0: case 1: EMIT(g, GetFloatv, name); break;
+    case 2: EMIT(g, GetIntegerv, name); break;
+    case 3: EMIT(g, GetDoublev, name); break;
+    case 4: EMIT(g, GetBooleanv, name); break;
+    case 5:
+        EMIT(g, GetLightfv, GL_LIGHT0 + below(g, 8), ONE_OF(g, GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_POSITION, GL_SPOT_DIRECTION, GL_SPOT_CUTOFF));
+        break;
+    case 6:
+        EMIT(g, GetMaterialfv, ONE_OF(g, GL_FRONT, GL_BACK), ONE_OF(g, GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION, GL_SHININESS));
+        break;
+    default: EMIT(g, GetClipPlane, GL_CLIP_PLANE0 + below(g, 6));
+    }
+}
