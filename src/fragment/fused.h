@@ -21,7 +21,7 @@ struct fused_row {
 static FGL_ALWAYS_INLINE bool fused_depth(const struct planes *p, const struct fused_row *row, int x,
                                           int32_t *FGL_RESTRICT live, const enum depth_kind kind)
 {
-    int32_t *FGL_RESTRICT depth = row->depth + x;
+    int32_t *FGL_RESTRICT depth = kind != DEPTH_OFF ? row->depth + x : NULL;
     int32_t any = 0;
     for (int i = 0; i < FRAGMENT_GROUP; i++) {
         const int32_t inside = -((x + i >= row->x0) & (x + i < row->x1));
@@ -72,7 +72,7 @@ static FGL_ALWAYS_INLINE void fused_fill(const struct fragment_plan *plan, const
         row.x0 = runs->x0[i];
         row.x1 = runs->x1[i];
         if (kind != DEPTH_OFF)
-            row.depth = (int32_t *)fb->depth + (runs->y + i) * stride;
+            row.depth = kind != DEPTH_OFF ? (int32_t *)fb->depth + (runs->y + i) * stride : NULL;
         row.color = (uint32_t *)fb->color + (runs->y + i) * stride;
         for (int x = row.x0 & -FRAGMENT_GROUP; x < row.x1; x += FRAGMENT_GROUP) {
             int32_t live[FRAGMENT_GROUP];
