@@ -71,8 +71,7 @@ static FGL_ALWAYS_INLINE void fused_fill(const struct fragment_plan *plan, const
         row.y = (float)(runs->y + i);
         row.x0 = runs->x0[i];
         row.x1 = runs->x1[i];
-        if (kind != DEPTH_OFF)
-            row.depth = kind != DEPTH_OFF ? (int32_t *)fb->depth + (runs->y + i) * stride : NULL;
+        row.depth = kind != DEPTH_OFF ? (int32_t *)fb->depth + (runs->y + i) * stride : NULL;
         row.color = (uint32_t *)fb->color + (runs->y + i) * stride;
         for (int x = row.x0 & -FRAGMENT_GROUP; x < row.x1; x += FRAGMENT_GROUP) {
             int32_t live[FRAGMENT_GROUP];
