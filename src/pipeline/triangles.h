@@ -42,12 +42,11 @@ void fgl_triangles_flush(struct pipeline *p);
 static inline int fgl_min3(int a, int b, int c) { return fgl_min(fgl_min(a, b), c); }
 static inline int fgl_max3(int a, int b, int c) { return fgl_max(fgl_max(a, b), c); }
 
-/* Adds a triangle of three vertices that are not special, unless it is culled, has no area, or no pixel centre in its bounding box. The list
+/* Adds the triangle of vertices a, b, c at p, q, r that are not special, unless it is culled, has no area, or no pixel centre in its bounding box. The list
  * has room. The tests are those of the rasterizer (raster/coverage.h), which makes them again. */
-static inline void fgl_triangles_add(struct triangle_list *t, const struct raster_plan *plan, const struct snapped *s, uint32_t a, uint32_t b,
-                                     uint32_t c)
+static FGL_ALWAYS_INLINE void fgl_triangles_add(struct triangle_list *t, const struct raster_plan *plan, struct snapped p, struct snapped q,
+                                                struct snapped r, uint32_t a, uint32_t b, uint32_t c)
 {
-    const struct snapped p = s[a], q = s[b], r = s[c];
     const int64_t area = (int64_t)(p.x - q.x) * (r.y - p.y) - (int64_t)(r.x - p.x) * (p.y - q.y);
     if (area > 0 ? plan->cull_ccw : area < 0 ? plan->cull_cw : true)
         return;

@@ -12,9 +12,23 @@ static void emit4(float *FGL_RESTRICT to, int stride, const struct lanes4 *from,
     }
 }
 
+/* Positions and one colour, the commonest record. */
+static void emit8(float *FGL_RESTRICT to, const struct lanes4 *FGL_RESTRICT win, const struct lanes4 *FGL_RESTRICT color, int n)
+{
+    for (int i = 0; i < n; i++)
+        for (int c = 0; c < 4; c++) {
+            to[8 * i + c] = win->c[c][i];
+            to[8 * i + 4 + c] = color->c[c][i];
+        }
+}
+
 void fgl_emit(const struct emit_plan *plan, const struct vertex_batch *b, float *record)
 {
     const int stride = plan->stride, n = b->n;
+    if (stride == 8 && plan->color) {
+        emit8(record, &b->win, &b->color[0], n);
+        return;
+    }
     emit4(record, stride, &b->win, n);
     if (plan->color)
         emit4(record + 4, stride, &b->color[0], n);
