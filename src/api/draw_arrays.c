@@ -1,4 +1,5 @@
 /* Drawing from vertex arrays (GL 1.5, 2.8 "Vertex Arrays"): DrawArrays, DrawElements, ArrayElement. */
+#include "api/convert.h"
 #include "api/errors.h"
 #include "api/immediate.h"
 #include "api/list.h"
@@ -32,14 +33,39 @@ static void array_source(const struct context *ctx, struct vertex_source *source
     }
 }
 
+/* OSMesa rule: an element that is no draw's is converted as glColor and glNormal convert. */
+static void convert_as_command(const struct attr_source *a, uint32_t i, float v[4])
+{
+#define CONVERT(T, f)                                                                                        \
+    for (int k = 0; k < a->size; k++) {                                                                      \
+        T c;                                                                                                 \
+        memcpy(&c, from + (size_t)k * sizeof c, sizeof c);                                                   \
+        v[k] = f(c);                                                                                         \
+    }                                                                                                        \
+    break
+    const char *from = (const char *)a->pointer + (size_t)i * (size_t)a->stride;
+    switch (a->type) {
+    case GL_BYTE: CONVERT(GLbyte, fgl_norm_b);
+    case GL_SHORT: CONVERT(GLshort, fgl_norm_s);
+    case GL_INT: CONVERT(GLint, fgl_norm_i);
+    case GL_UNSIGNED_BYTE: CONVERT(GLubyte, fgl_norm_ub);
+    case GL_UNSIGNED_SHORT: CONVERT(GLushort, fgl_norm_us);
+    case GL_UNSIGNED_INT: CONVERT(GLuint, fgl_norm_ui);
+    default: break;
+    }
+#undef CONVERT
+}
+
 /* One element of every enabled array through the commands of immediate mode, the position last. */
-static void array_element(struct context *ctx, const struct vertex_source *source, uint32_t i)
+static void array_element(struct context *ctx, const struct vertex_source *source, uint32_t i, bool drawn)
 {
     float v[4];
     for (int a = ATTR_COUNT - 1; a >= 0; a--) {
         if (!(source->varying & (1u << a)))
             continue;
         fgl_fetch_one(&source->attr[a], a, i, v);
+        if (!drawn && (a == ATTR_COLOR || a == ATTR_SECONDARY_COLOR || a == ATTR_NORMAL))
+            convert_as_command(&source->attr[a], i, v);
         if (a == ATTR_POSITION)
             fgl_vertex(ctx, source->attr[a].size, v);
         else
@@ -55,7 +81,7 @@ void GLAPIENTRY glArrayElement(GLint i)
     RETURN_ERROR_IF(ctx, i < 0, GL_INVALID_VALUE);
     struct vertex_source source;
     array_source(ctx, &source);
-    array_element(ctx, &source, (uint32_t)i);
+    array_element(ctx, &source, (uint32_t)i, false);
 }
 
 static uint32_t element(GLenum type, const void *indices, int i)
@@ -76,7 +102,7 @@ static void compile_elements(struct context *ctx, GLenum mode, int first, int co
         return;
     fgl_begin(ctx, mode);
     for (int i = 0; i < count; i++)
-        array_element(ctx, &source, indices ? element(type, indices, i) : (uint32_t)(first + i));
+        array_element(ctx, &source, indices ? element(type, indices, i) : (uint32_t)(first + i), false);
     fgl_end(ctx);
 }
 
@@ -156,7 +182,7 @@ static void draw_scattered(struct context *ctx, const struct vertex_source *sour
 {
     fgl_begin(ctx, mode);
     for (int i = 0; i < count; i++)
-        array_element(ctx, source, e[i]);
+        array_element(ctx, source, e[i], true);
     fgl_end(ctx);
     fgl_flush_vertices(ctx, 0);
 }

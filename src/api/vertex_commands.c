@@ -1,18 +1,12 @@
 /* glVertex, glNormal, glColor, glIndex, glTexCoord, glEdgeFlag and glRect in all their forms (GL 1.5, 2.7 "Vertex Specification", 2.10
  * "Rectangles"): conversions of table 2.9 in OSMesa's arithmetic, then the vertex store. They may be called inside and outside Begin/End. */
+#include "api/convert.h"
 #include "api/errors.h"
 #include "api/immediate.h"
 #include "api/list.h"
 
 #include <string.h>
 
-/* Table 2.9 "Component conversions": signed c to (2c + 1) / (2^b - 1), unsigned c to c / (2^b - 1). */
-static inline float norm_b(GLbyte c) { return (2.0f * (float)c + 1.0f) * (1.0f / 255.0f); }
-static inline float norm_s(GLshort c) { return (2.0f * (float)c + 1.0f) * (1.0f / 65535.0f); }
-static inline float norm_i(GLint c) { return (float)((2.0 * (double)c + 1.0) * (1.0 / 4294967295.0)); }
-static inline float norm_ub(GLubyte c) { return (float)c / 255.0f; }
-static inline float norm_us(GLushort c) { return (float)c / 65535.0f; }
-static inline float norm_ui(GLuint c) { return (float)((double)c * (1.0 / 4294967295.0)); }
 static inline float plain_f(GLfloat c) { return c; }
 static inline float plain_d(GLdouble c) { return (float)c; }
 static inline float plain_i(GLint c) { return (float)c; }
@@ -73,9 +67,9 @@ VERTEX(GLshort, s, plain_s)
 #define NORMAL(T, s, f)                                                                                      \
     void GLAPIENTRY glNormal3##s(T x, T y, T z) { attribute(ATTR_NORMAL, 3, f(x), f(y), f(z), 1); }          \
     void GLAPIENTRY glNormal3##s##v(const T *v) { attribute(ATTR_NORMAL, 3, f(v[0]), f(v[1]), f(v[2]), 1); }
-NORMAL(GLbyte, b, norm_b)
-NORMAL(GLshort, s, norm_s)
-NORMAL(GLint, i, norm_i)
+NORMAL(GLbyte, b, fgl_norm_b)
+NORMAL(GLshort, s, fgl_norm_s)
+NORMAL(GLint, i, fgl_norm_i)
 NORMAL(GLfloat, f, plain_f)
 NORMAL(GLdouble, d, plain_d)
 
@@ -85,12 +79,12 @@ NORMAL(GLdouble, d, plain_d)
     void GLAPIENTRY glColor4##s(T r, T g, T b, T a) { attribute(ATTR_COLOR, 4, f(r), f(g), f(b), f(a)); }    \
     void GLAPIENTRY glColor3##s##v(const T *v) { attribute(ATTR_COLOR, three, f(v[0]), f(v[1]), f(v[2]), 1); } \
     void GLAPIENTRY glColor4##s##v(const T *v) { attribute(ATTR_COLOR, 4, f(v[0]), f(v[1]), f(v[2]), f(v[3])); }
-COLOR(GLbyte, b, norm_b, 4)
-COLOR(GLshort, s, norm_s, 4)
-COLOR(GLint, i, norm_i, 4)
-COLOR(GLubyte, ub, norm_ub, 4)
-COLOR(GLushort, us, norm_us, 4)
-COLOR(GLuint, ui, norm_ui, 4)
+COLOR(GLbyte, b, fgl_norm_b, 4)
+COLOR(GLshort, s, fgl_norm_s, 4)
+COLOR(GLint, i, fgl_norm_i, 4)
+COLOR(GLubyte, ub, fgl_norm_ub, 4)
+COLOR(GLushort, us, fgl_norm_us, 4)
+COLOR(GLuint, ui, fgl_norm_ui, 4)
 COLOR(GLfloat, f, plain_f, 3)
 COLOR(GLdouble, d, plain_d, 4)
 
