@@ -76,7 +76,7 @@ static void update_fragment(struct context *ctx, struct pipeline *p, uint32_t va
     fgl_raster_validate(&plan->raster, &ctx->s, f);
     plan->polygon_fill = plan->raster.polygon_mode[0] == GL_FILL && plan->raster.polygon_mode[1] == GL_FILL;
     const struct rect *b = &plan->raster.bounds;
-    plan->rasterize = b->x0 < b->x1 && b->y0 < b->y1 && ctx->s.color_buffer.draw_buffer != GL_NONE;
+    plan->rasterize = b->x0 < b->x1 && b->y0 < b->y1;
 }
 
 void fgl_pipeline_validate(struct context *ctx, uint32_t varying)
