@@ -1,5 +1,5 @@
 /* Fetching: the arrays that a draw names, as the floats of a batch (GL 1.5, 2.8 "Vertex Arrays"; conversions of table 2.9).
- * OSMesa rule: unsigned bytes of colours become v * (1/255), other unsigned types and glColor's are divided. */
+ * OSMesa rule: they are multiplied by the reciprocal of the type's largest value, where glColor divides. */
 #include "pipeline/pipeline.h"
 
 #include <string.h>
@@ -10,10 +10,16 @@ static bool is_normalized(int attr)
     return attr == ATTR_COLOR || attr == ATTR_SECONDARY_COLOR || attr == ATTR_NORMAL;
 }
 
-static inline float snorm(double v, double max)
+static inline float snorm(float v, double max)
 {
-    const double f = v / max;
-    return (float)(f < -1.0 ? -1.0 : f);
+    const float f = v * (float)(1.0 / max);
+    return f < -1.0f ? -1.0f : f;
+}
+
+/* The upper 23 bits of 32 alone. */
+static inline float unorm32(GLuint v)
+{
+    return (float)(v >> 9) * 0x1p-23f * (float)(8388608.0 / 8388607.0);
 }
 
 #define FETCH(name, T, normalized, plain)                                                                    \
@@ -26,11 +32,11 @@ static inline float snorm(double v, double max)
         }                                                                                                    \
     }
 FETCH(ubyte, GLubyte, (float)v * (1.0f / 255.0f), (float)v)
-FETCH(byte, GLbyte, snorm(v, 127.0), (float)v)
-FETCH(ushort, GLushort, (float)v / 65535.0f, (float)v)
-FETCH(short, GLshort, snorm(v, 32767.0), (float)v)
-FETCH(uint, GLuint, (float)((double)v / 4294967295.0), (float)v)
-FETCH(int, GLint, snorm(v, 2147483647.0), (float)v)
+FETCH(byte, GLbyte, snorm((float)v, 127.0), (float)v)
+FETCH(ushort, GLushort, (float)v * (1.0f / 65535.0f), (float)v)
+FETCH(short, GLshort, snorm((float)v, 32767.0), (float)v)
+FETCH(uint, GLuint, unorm32(v), (float)v)
+FETCH(int, GLint, snorm((float)v, 2147483647.0), (float)v)
 FETCH(double, GLdouble, (float)v, (float)v)
 FETCH(float, GLfloat, v, v)
 
