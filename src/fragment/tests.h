@@ -18,12 +18,12 @@ static FGL_ALWAYS_INLINE int32_t compare_float(GLenum func, float a, float b)
              ((int32_t)(func >> 2) & (a > b)));
 }
 
-/* OSMesa rule: 8-bit colour is rounded to 8 bits before it is compared, alpha and reference. */
+/* OSMesa rule: 8-bit colour is rounded to 8 bits before it is compared, alpha and reference, if it can be drawn. */
 static inline void alpha_test(struct fragments *f, const struct fragment_plan *plan)
 {
     const GLenum func = plan->color_buffer.alpha_test_func;
     const float ref = plan->color_buffer.alpha_test_ref;
-    if (plan->fb->color_kind == COLOR_UNORM8) {
+    if (plan->fb->color_kind == COLOR_UNORM8 && plan->color_buffer.draw_buffer != GL_NONE) {
         const int32_t ref8 = round_small(saturate(ref) * 255.0f);
         FOR_GROUP(i) f->live[i] &= compare(func, round_small(saturate(f->color[3][i]) * 255.0f), ref8);
     } else {
