@@ -70,7 +70,7 @@ static void update_fragment(struct context *ctx, struct pipeline *p, uint32_t va
     struct fragment_plan *f = &plan->fragment;
     f->color_source = color_source(&ctx->s, varying);
     for (int i = 0; i < 4; i++)
-        f->constant_color[i] = ctx->s.current.attr[ATTR_COLOR][i];
+        f->constant_color[i] = fgl_clamp01(ctx->s.current.attr[ATTR_COLOR][i]); /* GL 1.5, 2.14.6 */
     f->has_secondary = ctx->s.lighting.lighting && ctx->s.lighting.light_model_color_control == GL_SEPARATE_SPECULAR_COLOR;
     fgl_fragment_validate(f, &ctx->s, ctx->framebuffer, p->general);
     fgl_raster_validate(&plan->raster, &ctx->s, f);
