@@ -101,6 +101,7 @@ API_TESTS = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/api/*.c))
 ORACLE_TESTS = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/oracle/test_*.c))
 ORACLE_SOURCES = $(filter-out tests/oracle/test_%,$(wildcard tests/oracle/*.c))
 SCENE_TESTS = $(if $(wildcard tests/scenes/*.c),$(BUILD)/tests/scenes/scenes)
+FUZZ_FLAGS = --seed 1 --count 2000
 FUZZ = $(if $(wildcard tests/fuzz/fuzz_diff.c),$(BUILD)/tests/fuzz/fuzz_diff)
 GLUT_TESTS = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/glut/*.c))
 CLI_TESTS = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/cli/*.c))
@@ -169,7 +170,7 @@ vec-report:
 
 fuzz-diff: deps
 	$(MAKE) -j$(JOBS) libs $(FUZZ)
-	$(FUZZ)
+	$(FUZZ) $(FUZZ_FLAGS) $(LIB)/libfixedgl.so libOSMesa.so.8
 
 identity: deps
 	$(MAKE) -j$(JOBS) all
