@@ -27,10 +27,16 @@ GLAPI const char *GLAPIENTRY fixedglVersion(void);
 #define FIXEDGL_COMPATIBLE 2
 #define FIXEDGL_FAST 3
 
-/* Sets the arithmetic of the current context, initially FIXEDGL_COMPATIBLE, and returns the one that was set
- * before; 0 if there is an error or no current context. GL_INVALID_ENUM: mode is not FIXEDGL_COMPATIBLE (the
- * others are not implemented yet). GL_INVALID_OPERATION: between glBegin and glEnd. */
+/* Sets the arithmetic of the current context's vertex stage and returns the one that was set before; 0 if there is
+ * an error or no current context. A context begins with FIXEDGL_COMPATIBLE, or what the environment variable
+ * FIXEDGL_ACCURACY says: exact or compatible. GL_INVALID_ENUM: mode is neither FIXEDGL_EXACT nor
+ * FIXEDGL_COMPATIBLE (FIXEDGL_FAST is not implemented yet). GL_INVALID_OPERATION: between glBegin and glEnd. */
 GLAPI GLenum GLAPIENTRY fixedglAccuracy(GLenum mode);
+
+/* The same as a hint: glHint(GL_LIGHTING_ACCURACY_HINT_FIXEDGL, mode), GL_NICEST: FIXEDGL_EXACT; GL_DONT_CARE:
+ * FIXEDGL_COMPATIBLE; GL_FASTEST: the quickest that there is, FIXEDGL_COMPATIBLE. glGetIntegerv of it returns the
+ * hint of the arithmetic that is set. glPopAttrib does not bring it back. */
+#define GL_LIGHTING_ACCURACY_HINT_FIXEDGL 0x1F5A1
 
 /* Why a pixel has its colour (docs/explain.md).
  *

@@ -32,6 +32,9 @@ static inline void fgl_error(struct context *ctx, GLenum error)
  * OSMesa's batches end in the same places, and some pixels depend on where they end. (api/immediate.c) */
 void fgl_flush_vertices(struct context *ctx, unsigned dirty);
 
+/* The arithmetic that later draws use: FIXEDGL_EXACT, ... (api/misc.c) */
+void fgl_set_accuracy(struct context *ctx, GLenum mode);
+
 /* The same in any case: before what is drawn otherwise than by immediate mode. (api/immediate.c) */
 void fgl_flush_all(struct context *ctx);
 

@@ -3,6 +3,8 @@
 #include "api/command.h"
 #include "api/params.h"
 #include "api/set.h"
+#include "fixedgl.h"
+#include "state/matrix_exact.h"
 
 #include <string.h>
 
@@ -20,6 +22,14 @@ static void transform_direction(float out[3], const float m[16], const float v[3
         out[r] = v[0] * m[r] + v[1] * m[4 + r] + v[2] * m[8 + r];
 }
 
+/* The eye coordinates in double, after those in float: where only they differ, nothing but FIXEDGL_EXACT sees it. */
+static void set_exact(struct context *ctx, double field[4], const double v[4])
+{
+    if (ctx->accuracy == FIXEDGL_EXACT && memcmp(field, v, 4 * sizeof *v) != 0)
+        fgl_flush_vertices(ctx, DIRTY_LIGHT);
+    memcpy(field, v, 4 * sizeof *v);
+}
+
 void fgl_exec_Lightfv(struct context *ctx, GLenum light, GLenum pname, const GLfloat *params)
 {
     const unsigned i = light - GL_LIGHT0;
@@ -30,7 +40,11 @@ void fgl_exec_Lightfv(struct context *ctx, GLenum light, GLenum pname, const GLf
                     GL_INVALID_VALUE);
 
     const float *m = fgl_matrix_top(&ctx->modelview)->m;
+    struct light *l = &ctx->s.lighting.light[i];
     float eye[4];
+    double exact[4];
+    fgl_exact_transform(exact, fgl_matrix_top(&ctx->modelview)->exact, params,
+                        pname == GL_POSITION ? 4 : pname == GL_SPOT_DIRECTION ? 3 : 0);
     if (pname == GL_POSITION) {
         transform_position(eye, m, params);
         params = eye;
@@ -40,8 +54,10 @@ void fgl_exec_Lightfv(struct context *ctx, GLenum light, GLenum pname, const GLf
         params = eye;
     }
     if (pname == GL_POSITION)
-        ctx->s.lighting.light[i].placed_under_identity = fgl_matrix_is_identity(fgl_matrix_top(&ctx->modelview));
-    fgl_param_set(ctx, DIRTY_LIGHT, p, &ctx->s.lighting.light[i], params);
+        l->placed_under_identity = fgl_matrix_is_identity(fgl_matrix_top(&ctx->modelview));
+    fgl_param_set(ctx, DIRTY_LIGHT, p, l, params);
+    if (params == eye)
+        set_exact(ctx, pname == GL_POSITION ? l->exact_position : l->exact_spot_direction, exact);
 }
 
 void GLAPIENTRY glLightiv(GLenum light, GLenum pname, const GLint *params)

@@ -1,6 +1,8 @@
 /* Matrix commands (GL 1.5, 2.11.2 "Matrices"). The arithmetic is state/matrix.c's. */
 #include "api/command.h"
 #include "api/errors.h"
+#include "fixedgl.h"
+#include "state/matrix_exact.h"
 
 #include <string.h>
 
@@ -39,7 +41,12 @@ void fgl_exec_LoadIdentity(struct context *ctx)
  * matrix nor flags. */
 void fgl_exec_LoadMatrixf(struct context *ctx, const GLfloat *m)
 {
-    if (memcmp(fgl_matrix_top(current_stack(ctx))->m, m, 16 * sizeof *m) != 0)
+    const struct matrix *top = fgl_matrix_top(current_stack(ctx));
+    double exact[16];
+
+    fgl_exact_load(exact, m);
+    if (memcmp(top->m, m, sizeof top->m) != 0 ||
+        (ctx->accuracy == FIXEDGL_EXACT && memcmp(top->exact, exact, sizeof exact) != 0))
         fgl_matrix_load(change(ctx), m);
 }
 
@@ -140,7 +147,9 @@ void fgl_exec_PopMatrix(struct context *ctx)
 
     RETURN_ERROR_IF(ctx, stack->top == 0, GL_STACK_UNDERFLOW);
     const struct matrix *top = fgl_matrix_top(stack), *below = top - 1;
-    if (stack->changed && (top->flags != below->flags || memcmp(top->m, below->m, sizeof top->m) != 0))
+    const bool same = ctx->accuracy == FIXEDGL_EXACT ? fgl_matrix_exactly_equal(top, below)
+                                                     : memcmp(top->m, below->m, sizeof top->m) == 0;
+    if (stack->changed && (top->flags != below->flags || !same))
         fgl_flush_vertices(ctx, stack->dirty);
     stack->top--;
     stack->changed = true;

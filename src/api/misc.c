@@ -40,15 +40,24 @@ const char *GLAPIENTRY fixedglVersion(void)
     return FIXEDGL_VERSION;
 }
 
+/* All of the plan depends on it. */
+void fgl_set_accuracy(struct context *ctx, GLenum mode)
+{
+    if (mode == ctx->accuracy)
+        return;
+    fgl_flush_vertices(ctx, DIRTY_ALL);
+    ctx->accuracy = mode;
+}
+
 GLenum GLAPIENTRY fixedglAccuracy(GLenum mode)
 {
     struct context *ctx = fgl_current;
     if (!ctx)
         return 0;
     RETURN_VALUE_ERROR_IF(ctx, ctx->begin_mode != OUTSIDE_BEGIN_END, GL_INVALID_OPERATION, 0);
-    RETURN_VALUE_ERROR_IF(ctx, mode != FIXEDGL_COMPATIBLE, GL_INVALID_ENUM, 0);
+    RETURN_VALUE_ERROR_IF(ctx, mode != FIXEDGL_EXACT && mode != FIXEDGL_COMPATIBLE, GL_INVALID_ENUM, 0);
 
     const GLenum before = ctx->accuracy;
-    ctx->accuracy = mode;
+    fgl_set_accuracy(ctx, mode);
     return before;
 }

@@ -2,6 +2,7 @@
  * "Polygons", 5.6 "Hints"). */
 #include "api/command.h"
 #include "api/set.h"
+#include "fixedgl.h"
 
 void fgl_exec_PointSize(struct context *ctx, GLfloat size)
 {
@@ -68,11 +69,15 @@ static GLenum *find_hint(struct hint_state *h, GLenum target)
     }
 }
 
-/* Hints are kept and have no effect, as in OSMesa. */
+/* Hints are kept and have no effect, as in OSMesa, but for our own (fixedgl.h). */
 void fgl_exec_Hint(struct context *ctx, GLenum target, GLenum mode)
 {
     GLenum *hint = find_hint(&ctx->s.hint, target);
-    RETURN_ERROR_IF(ctx, !hint, GL_INVALID_ENUM);
+    const bool accuracy = target == GL_LIGHTING_ACCURACY_HINT_FIXEDGL;
+    RETURN_ERROR_IF(ctx, !hint && !accuracy, GL_INVALID_ENUM);
     RETURN_ERROR_IF(ctx, mode != GL_FASTEST && mode != GL_NICEST && mode != GL_DONT_CARE, GL_INVALID_ENUM);
-    SET(ctx, DIRTY_RASTER, *hint, mode);
+    if (accuracy)
+        fgl_set_accuracy(ctx, mode == GL_NICEST ? FIXEDGL_EXACT : FIXEDGL_COMPATIBLE);
+    else
+        SET(ctx, DIRTY_RASTER, *hint, mode);
 }

@@ -2,6 +2,7 @@
 #include "api/state_table.h"
 
 #include "api/list.h"
+#include "fixedgl.h"
 #include "framebuffer/framebuffer.h"
 
 /* ---- values that are not simply a field ---- */
@@ -23,6 +24,12 @@ static void projection_matrix(const struct context *ctx, double *v)
 static void texture_matrix(const struct context *ctx, double *v)
 {
     copy_matrix(&ctx->texture_matrix[ctx->active_texture], v);
+}
+
+/* The hint that asks for the arithmetic in use. */
+static void lighting_accuracy_hint(const struct context *ctx, double *v)
+{
+    v[0] = ctx->accuracy == FIXEDGL_EXACT ? GL_NICEST : GL_DONT_CARE;
 }
 
 static void modelview_depth(const struct context *ctx, double *v)

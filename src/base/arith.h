@@ -1,10 +1,12 @@
 /* The arithmetic of the kernels, as a parameter. Layer 0.
  *
  * A kernel is written once, in terms of a scalar type `real`, of vectors of it, and of the functions below;
- * the translation unit that instantiates it chooses what they mean, with FGL_ARITH: compatible (the default):
- * float, OSMesa's operations in OSMesa's order, bit for bit.
+ * the translation unit that instantiates it chooses what they mean, with FGL_ARITH:
+ *   compatible   float, OSMesa's operations in OSMesa's order, bit for bit; the default
+ *   exact        double, the specification's result
  *
- * An arithmetic defines `real` and:
+ * An arithmetic defines `real`, R_EXACT (1: the rules of OSMesa's that depart from the specification are not
+ * followed) and:
  *   r_sqrt(x)         square root
  *   r_rsqrt(x)        1 / sqrt(x)
  *   r_dot3(a, b)      three-term dot product
@@ -14,7 +16,10 @@
  *   r_exp2(x)         2 to the power x; never infinite
  *   r_log2(x)         for positive, normal x
  *   r_pow(x, y)       x to the power y for x > 0; 0 for x <= 0, whatever y; never infinite
- *   r_select(c, x, y) c ? x : y
+ *   r_fma(a, b, c)    a * b + c, as the window coordinates have it
+ *   r_attenuation(x)  1 / x
+ *   r_term(x)         a term of a sum of colours
+ *   r_abs(x), r_select(c, x, y): c ? x : y
  * All may be given any value, do not trap, and contain no branch. */
 #ifndef FGL_BASE_ARITH_H
 #define FGL_BASE_ARITH_H
@@ -25,11 +30,9 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(FGL_ARITH_EXACT) && !defined(FGL_ARITH_FAST)
-#define FGL_ARITH_COMPATIBLE 1
-#endif
-
-#if defined(FGL_ARITH_COMPATIBLE)
+#if defined(FGL_ARITH_EXACT)
+#include "base/arith_exact.h"
+#else
 #include "base/arith_compatible.h"
 #endif
 
@@ -53,6 +56,18 @@ static FGL_ALWAYS_INLINE struct real3 r_normalize3(struct real3 a)
 {
     return r_scale3(a, r_rsqrt(r_dot3(a, a)));
 }
+/* The unit vector of a + b, a and b unit vectors. It is normal to a - b: where a + b is small, that removes what
+ * the rounding of their lengths left. OSMesa rule: not done. */
+static FGL_ALWAYS_INLINE struct real3 r_half3(struct real3 a, struct real3 b)
+{
+    struct real3 sum = r_add3(a, b);
+
+    if (R_EXACT) {
+        struct real3 d = r_scale3(r_sub3(a, b), (real)0.5);
+        sum = r_sub3(sum, r_scale3(d, r_dot3(sum, d)));
+    }
+    return r_normalize3(sum);
+}
 static FGL_ALWAYS_INLINE real r_max(real a, real b)
 {
     return a > b ? a : b;
@@ -60,10 +75,6 @@ static FGL_ALWAYS_INLINE real r_max(real a, real b)
 static FGL_ALWAYS_INLINE real r_min(real a, real b)
 {
     return a < b ? a : b;
-}
-static FGL_ALWAYS_INLINE real r_abs(real a)
-{
-    return fabsf(a);
 }
 static FGL_ALWAYS_INLINE real r_clamp01(real a)
 {

@@ -3,6 +3,8 @@
 #ifndef FGL_BASE_ARITH_COMPATIBLE_H
 #define FGL_BASE_ARITH_COMPATIBLE_H
 
+#define R_EXACT 0
+
 typedef float real;
 
 struct real3 {
@@ -12,6 +14,22 @@ struct real4 {
     real x, y, z, w;
 };
 
+static FGL_ALWAYS_INLINE real r_abs(real a)
+{
+    return fabsf(a);
+}
+static FGL_ALWAYS_INLINE real r_fma(real a, real b, real c)
+{
+    return fgl_fma(a, b, c);
+}
+static FGL_ALWAYS_INLINE real r_attenuation(real x)
+{
+    return 1 / x;
+}
+static FGL_ALWAYS_INLINE real r_term(real x)
+{
+    return x;
+}
 static FGL_ALWAYS_INLINE real r_sqrt(real x)
 {
     return sqrtf(x);

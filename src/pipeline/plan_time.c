@@ -87,6 +87,8 @@ static double without_light(const struct vertex_timing *v, int light)
     plan.light.n--;
     memmove(&plan.light.light[light], &plan.light.light[light + 1],
             (size_t)(plan.light.n - light) * sizeof plan.light.light[0]);
+    memmove(&plan.exact.light[light], &plan.exact.light[light + 1],
+            (size_t)(plan.light.n - light) * sizeof plan.exact.light[0]);
     return time_work(v, &plan, WORK_VERTEX);
 }
 

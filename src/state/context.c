@@ -3,6 +3,7 @@
 
 #include "fixedgl.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 _Thread_local FGL_TLS_FAST struct context *fgl_current;
@@ -42,6 +43,8 @@ static void init_light(struct light *l, bool first)
     set4(l->specular, white, white, white, 1);
     set4(l->position, 0, 0, 1, 0);
     l->spot_direction[2] = -1;
+    l->exact_position[2] = 1;
+    l->exact_spot_direction[2] = -1;
     l->spot_cutoff = 180;
     l->constant_attenuation = 1;
 }
@@ -158,6 +161,13 @@ static void init_stack(struct matrix_stack *stack, int limit, unsigned dirty)
     fgl_matrix_set_identity(&stack->entry[0]);
 }
 
+static GLenum accuracy_from_environment(void)
+{
+    const char *name = getenv("FIXEDGL_ACCURACY");
+
+    return name && strcmp(name, "exact") == 0 ? FIXEDGL_EXACT : FIXEDGL_COMPATIBLE;
+}
+
 void fgl_state_init(struct context *ctx)
 {
     memset(&ctx->s, 0, sizeof ctx->s); /* every value that the functions above leave out starts as 0, false or GL_NONE */
@@ -165,7 +175,7 @@ void fgl_state_init(struct context *ctx)
     ctx->dirty = DIRTY_ALL;
     ctx->error = GL_NO_ERROR;
     ctx->begin_mode = OUTSIDE_BEGIN_END;
-    ctx->accuracy = FIXEDGL_COMPATIBLE;
+    ctx->accuracy = accuracy_from_environment();
 
     init_current(&ctx->s.current);
     init_lighting(&ctx->s.lighting);

@@ -33,6 +33,7 @@ struct light {
     float ambient[4], diffuse[4], specular[4];
     float position[4];       /* eye space: transformed by the modelview matrix of glLight's call */
     float spot_direction[3]; /* eye space, as transformed, not normalised */
+    double exact_position[4], exact_spot_direction[4]; /* the same, never rounded to float */
     float spot_exponent, spot_cutoff; /* degrees, 0..90 or 180 */
     float constant_attenuation, linear_attenuation, quadratic_attenuation;
     bool enabled;
@@ -268,7 +269,7 @@ struct context {
     struct feedback_state feedback;
     struct selection_state selection;
 
-    GLenum accuracy; /* FIXEDGL_COMPATIBLE */
+    GLenum accuracy; /* FIXEDGL_COMPATIBLE or FIXEDGL_EXACT */
 
     /* The layers above, each known only to its own files. */
     struct immediate *immediate;     /* api/immediate.h: vertices between Begin and End */

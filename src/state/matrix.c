@@ -3,6 +3,7 @@
  * ...) adds its flag; after glLoadMatrix and glMultMatrix the class is found from the values
  * (matrix_class.c). */
 #include "state/matrix_class.h"
+#include "state/matrix_exact.h"
 
 #include <math.h>
 #include <string.h>
@@ -26,15 +27,22 @@ void fgl_matrix_load_identity(struct matrix *m)
 {
     memcpy(m->m, identity, sizeof m->m);
     memcpy(m->inv, identity, sizeof m->inv);
+    fgl_exact_load(m->exact, identity);
     m->flags &= FLAGS_CLASS;
 }
 
 void fgl_matrix_load(struct matrix *m, const float v[16])
 {
+    fgl_exact_load(m->exact, v);
     if (memcmp(m->m, v, sizeof m->m) == 0)
         return;
     memcpy(m->m, v, sizeof m->m);
     m->flags = MAT_GENERAL | MAT_CLASSIFY | MAT_INVERSE_STALE;
+}
+
+bool fgl_matrix_exactly_equal(const struct matrix *a, const struct matrix *b)
+{
+    return memcmp(a->m, b->m, sizeof a->m) == 0 && memcmp(a->exact, b->exact, sizeof a->exact) == 0;
 }
 
 void fgl_matrix_product(float r[16], const float a[16], const float b[16])
@@ -72,8 +80,10 @@ static void multiply(struct matrix *m, const float v[16], unsigned flags)
 
 void fgl_matrix_multiply(struct matrix *m, const float v[16])
 {
-    if (memcmp(v, identity, sizeof identity) != 0)
-        multiply(m, v, MAT_GENERAL | MAT_CLASSIFY);
+    if (memcmp(v, identity, sizeof identity) == 0)
+        return;
+    fgl_exact_multiply(m->exact, v);
+    multiply(m, v, MAT_GENERAL | MAT_CLASSIFY);
 }
 
 /* The rotation about coordinate axis `axis` (0 x, 1 y, 2 z). */
@@ -113,6 +123,7 @@ void fgl_matrix_rotate(struct matrix *m, float angle_deg, float x, float y, floa
 
     if (angle_deg == 0.0f)
         return;
+    fgl_exact_rotate(m->exact, (double)angle_deg, (double)x, (double)y, (double)z);
     memcpy(r, identity, sizeof r);
     if (x == 0.0f && y == 0.0f && z != 0.0f) {
         axis_rotation(r, 2, z < 0.0f ? -s : s, c);
@@ -135,6 +146,7 @@ void fgl_matrix_translate(struct matrix *m, float x, float y, float z)
         m->m[AT(row, 3)] =
                 m->m[AT(row, 0)] * x + m->m[AT(row, 1)] * y + m->m[AT(row, 2)] * z + m->m[AT(row, 3)];
     m->flags |= MAT_TRANSLATION | MAT_INVERSE_STALE;
+    fgl_exact_translate(m->exact, (double)x, (double)y, (double)z);
 }
 
 void fgl_matrix_scale(struct matrix *m, float x, float y, float z)
@@ -147,6 +159,7 @@ void fgl_matrix_scale(struct matrix *m, float x, float y, float z)
         m->m[AT(row, 2)] *= z;
     }
     m->flags |= (uniform ? MAT_UNIFORM_SCALE : MAT_GENERAL_SCALE) | MAT_INVERSE_STALE;
+    fgl_exact_scale(m->exact, (double)x, (double)y, (double)z);
 }
 
 void fgl_matrix_frustum(struct matrix *m, double l_, double r_, double b_, double t_, double n_, double f_)
@@ -162,6 +175,7 @@ void fgl_matrix_frustum(struct matrix *m, double l_, double r_, double b_, doubl
     v[AT(3, 2)] = -1.0f;
     v[AT(2, 3)] = -(2.0f * f * n) / (f - n);
     multiply(m, v, MAT_PERSPECTIVE);
+    fgl_exact_frustum(m->exact, l_, r_, b_, t_, n_, f_);
 }
 
 void fgl_matrix_ortho(struct matrix *m, double l_, double r_, double b_, double t_, double n_, double f_)
@@ -177,4 +191,5 @@ void fgl_matrix_ortho(struct matrix *m, double l_, double r_, double b_, double 
     v[AT(1, 3)] = -(t + b) / (t - b);
     v[AT(2, 3)] = -(f + n) / (f - n);
     multiply(m, v, MAT_GENERAL_SCALE | MAT_TRANSLATION);
+    fgl_exact_ortho(m->exact, l_, r_, b_, t_, n_, f_);
 }

@@ -26,6 +26,7 @@ enum {
 struct matrix {
     float m[16];   /* column major: m[4 * column + row] */
     float inv[16]; /* valid when !(flags & MAT_INVERSE_STALE); see fgl_matrix_inverse */
+    double exact[16]; /* the same matrix in double (matrix_exact.h); follows m, never read for compatible bits */
     unsigned flags;
 };
 
@@ -44,6 +45,8 @@ bool fgl_matrix_is_identity(const struct matrix *m);
 void fgl_matrix_set_identity(struct matrix *m); /* a new context's matrix: flags cleared too */
 void fgl_matrix_load_identity(struct matrix *m);
 void fgl_matrix_load(struct matrix *m, const float v[16]);
+/* Whether the two matrices have the same values in double too. */
+bool fgl_matrix_exactly_equal(const struct matrix *a, const struct matrix *b);
 void fgl_matrix_multiply(struct matrix *m, const float v[16]); /* m = m * v, glMultMatrix */
 void fgl_matrix_rotate(struct matrix *m, float angle_deg, float x, float y, float z);
 void fgl_matrix_translate(struct matrix *m, float x, float y, float z);

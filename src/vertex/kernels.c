@@ -1,14 +1,14 @@
 /* The vertex kernels of one instruction set and one arithmetic, and the order in which a plan runs them.
  *
  * The build compiles this file once for each instruction set, with FGL_ISA naming it (sse2, avx2, avx512;
- * base elsewhere) and the compiler's options to match. A kernel is written once, always inlined with constant
+ * base elsewhere) and the compiler's options to match, and for each arithmetic, with FGL_ARITH naming it. A kernel is written once, always inlined with constant
  * flags, and instantiated here by one-line wrappers. */
 #include "vertex/light_kernel.h"
 #include "vertex/transform_kernel.h"
 
-#define NAME_OF(isa) fgl_vertex_kernels_##isa
+#define NAME_OF(isa, arith) fgl_vertex_kernels_##isa##_##arith
 #define STRING_OF(isa) #isa
-#define KERNELS(isa) NAME_OF(isa)
+#define KERNELS(isa, arith) NAME_OF(isa, arith)
 #define ISA_STRING(isa) STRING_OF(isa)
 
 /* Normals: [to eye space][scaling] */
@@ -26,7 +26,7 @@ NORMAL_KERNEL(normals_object_normalize, false, NORMAL_NORMALIZE)
 NORMAL_KERNEL(normals_eye, true, NORMAL_AS_IS)
 NORMAL_KERNEL(normals_eye_rescale, true, NORMAL_RESCALE)
 NORMAL_KERNEL(normals_eye_normalize, true, NORMAL_NORMALIZE)
-NORMAL_KERNEL(normals_general, plan->normal_in_eye_space, plan->normal_scaling)
+NORMAL_KERNEL(normals_general, R_EXACT || plan->normal_in_eye_space, PLAN_NUMBERS(plan)->normal_scaling)
 
 static normal_fn *const normal_kernel[2][3] = {
         {NULL, normals_general, normals_object_normalize},
@@ -36,7 +36,7 @@ static normal_fn *const normal_kernel[2][3] = {
 /* Lights: by key. The digits of a name are the bits of enum light_key, lowest first. Rare keys have no kernel
  * of their own. */
 
-typedef void light_fn(const struct light_derived *light, const struct lighting_plan *plan, int face,
+typedef void light_fn(const light_numbers *light, unsigned key, const struct lighting_plan *plan, int face,
                       struct vertex_work *work, int n);
 
 #define EACH_MATERIAL(M, p, a, s, c, v, x) M(p, a, s, c, v, x, 0, 0) M(p, a, s, c, v, x, 0, 1)
@@ -58,10 +58,11 @@ typedef void light_fn(const struct light_derived *light, const struct lighting_p
 
 #define LIGHT_KEY(p, a, s, c, v, x, z, m) (p | a << 1 | s << 2 | c << 3 | v << 4 | x << 5 | z << 6 | m << 7)
 #define LIGHT_KERNEL(p, a, s, c, v, x, z, m)                                                                 \
-    static void light_##p##a##s##c##v##x##z##m(const struct light_derived *FGL_RESTRICT light,               \
+    static void light_##p##a##s##c##v##x##z##m(const light_numbers *FGL_RESTRICT light, unsigned key,         \
                                                const struct lighting_plan *FGL_RESTRICT plan, int face,      \
                                                struct vertex_work *FGL_RESTRICT work, int n)                 \
     {                                                                                                        \
+        (void)key;                                                                                           \
         add_light(light, plan, face, work, n, LIGHT_KEY(p, a, s, c, v, x, z, m), NULL);                      \
     }
 EACH_LIGHT(LIGHT_KERNEL)
@@ -70,21 +71,21 @@ EACH_LIGHT(LIGHT_KERNEL)
     [LIGHT_KEY(p, a, s, c, v, x, z, m)] = light_##p##a##s##c##v##x##z##m,
 static light_fn *const light_kernel[LIGHT_KEY_COUNT] = {EACH_LIGHT(LIGHT_ENTRY)};
 
-static void light_general(const struct light_derived *FGL_RESTRICT light,
+static void light_general(const light_numbers *FGL_RESTRICT light, unsigned key,
                           const struct lighting_plan *FGL_RESTRICT plan, int face,
                           struct vertex_work *FGL_RESTRICT work, int n)
 {
-    add_light(light, plan, face, work, n, light->key, NULL);
+    add_light(light, plan, face, work, n, key, NULL);
 }
 
 /* The general kernel, noting the terms of the first vertex. */
-static FGL_NOINLINE void light_noted(const struct light_derived *light, const struct lighting_plan *plan,
-                                     int face, struct vertex_work *work, int n, struct face_trace *trace,
+static FGL_NOINLINE void light_noted(const light_numbers *light, unsigned key,
+                                     const struct lighting_plan *plan, int face, struct vertex_work *work, int n, struct face_trace *trace,
                                      int index)
 {
     struct light_terms *terms = &trace->light[index];
     *terms = (struct light_terms){.attenuation = 1, .spot = 1};
-    add_light(light, plan, face, work, n, light->key, terms);
+    add_light(light, plan, face, work, n, key, terms);
 }
 
 static void note3(double to[3], real from[3][VERTEX_CHUNK])
@@ -107,7 +108,8 @@ static void run_normals(const struct vertex_plan *plan, struct vertex_batch *b, 
                         struct vertex_work *work, bool general)
 {
     normal_fn *kernel =
-            general ? normals_general : normal_kernel[plan->normal_in_eye_space][plan->normal_scaling];
+            general ? normals_general
+                    : normal_kernel[R_EXACT || plan->normal_in_eye_space][PLAN_NUMBERS(plan)->normal_scaling];
 
     load_normals(plan, b, first, n, work);
     if (kernel)
@@ -115,24 +117,27 @@ static void run_normals(const struct vertex_plan *plan, struct vertex_batch *b, 
 }
 
 /* Lights one face into color[face] and secondary[face]. trace: NULL but for fgl_vertex_trace. */
-static void run_face(const struct lighting_plan *plan, struct vertex_batch *b, int first, int n, int face,
+static void run_face(const struct vertex_plan *vertex, struct vertex_batch *b, int first, int n, int face,
                      struct vertex_work *work, bool general, struct face_trace *trace)
 {
+    const struct lighting_plan *plan = &vertex->light;
+    const light_numbers *lights = PLAN_LIGHTS(vertex);
     const int alpha = plan->source[MAT_DIFFUSE][face];
 
     if (plan->varying)
         start_varying(plan, b, first, n, face, work);
     else
-        start_constant(plan, face, n, work);
+        start_constant(PLAN_BASE(vertex, face), n, work);
     if (trace)
         note3(trace->base, work->color);
     for (int i = 0; i < plan->n; i++) {
-        const struct light_derived *light = &plan->light[i];
-        light_fn *kernel = general ? NULL : light_kernel[light->key];
+        const light_numbers *light = &lights[i];
+        const unsigned key = plan->light[i].key;
+        light_fn *kernel = general ? NULL : light_kernel[key];
         if (trace)
-            light_noted(light, plan, face, work, n, trace, i);
+            light_noted(light, key, plan, face, work, n, trace, i);
         else
-            (kernel ? kernel : light_general)(light, plan, face, work, n);
+            (kernel ? kernel : light_general)(light, key, plan, face, work, n);
     }
     if (trace) {
         note3(trace->sum, work->color);
@@ -183,7 +188,7 @@ static void run_chunk(const struct vertex_plan *plan, struct vertex_batch *b, in
     if (trace && plan->need_normal)
         note3(trace->normal, work.normal);
     for (int face = 0; face <= plan->light.two_sided; face++)
-        run_face(&plan->light, b, first, n, face, &work, general, trace ? &trace->face[face] : NULL);
+        run_face(plan, b, first, n, face, &work, general, trace ? &trace->face[face] : NULL);
 }
 
 static void run(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n, bool general)
@@ -196,6 +201,6 @@ static void trace_vertex(const struct vertex_plan *plan, struct vertex_batch *b,
     run_chunk(plan, b, 0, 1, true, trace);
 }
 
-extern const struct vertex_kernels KERNELS(FGL_ISA);
-const struct vertex_kernels KERNELS(FGL_ISA) = {
+extern const struct vertex_kernels KERNELS(FGL_ISA, FGL_ARITH);
+const struct vertex_kernels KERNELS(FGL_ISA, FGL_ARITH) = {
         .isa = ISA_STRING(FGL_ISA), .run = run, .trace = trace_vertex};

@@ -11,11 +11,11 @@
 #include "vertex/work.h"
 
 /* The product of a light's colour and the material, constant or by vertex. */
-static FGL_ALWAYS_INLINE struct real3 light_product(const struct light_derived *FGL_RESTRICT L,
+static FGL_ALWAYS_INLINE struct real3 light_product(const light_numbers *FGL_RESTRICT L,
                                                     struct vertex_work *FGL_RESTRICT work, int face, int i,
                                                     int color, const bool varying)
 {
-    const float *constant = L->product[face][color], *own = L->color[color];
+    const real *constant = L->product[face][color], *own = L->color[color];
 
     if (varying)
         return r_vec3(own[0] * work->material[color][0][i], own[1] * work->material[color][1][i],
@@ -23,9 +23,27 @@ static FGL_ALWAYS_INLINE struct real3 light_product(const struct light_derived *
     return r_vec3(constant[0], constant[1], constant[2]);
 }
 
-static FGL_ALWAYS_INLINE struct real3 vec3_of(const float v[3])
+static FGL_ALWAYS_INLINE struct real3 vec3_of(const real v[3])
 {
     return r_vec3(v[0], v[1], v[2]);
+}
+
+static FGL_ALWAYS_INLINE struct real3 view_direction(const struct lighting_plan *FGL_RESTRICT plan)
+{
+    const float *v = plan->view_direction;
+
+    return R_EXACT ? r_vec3(0, 0, 1) : r_vec3((real)v[0], (real)v[1], (real)v[2]);
+}
+
+/* Whether the cosine is inside the cone. OSMesa rule: the edge is outside. */
+static FGL_ALWAYS_INLINE bool in_cone(real cosine, real cos_cutoff)
+{
+    return R_EXACT ? !(cosine < cos_cutoff) : cos_cutoff < cosine;
+}
+
+static FGL_ALWAYS_INLINE struct real3 term3(struct real3 v)
+{
+    return r_vec3(r_term(v.x), r_term(v.y), r_term(v.z));
 }
 
 /* Notes a term of vertex 0 where terms are asked for. In kernels that draw, `terms` is the constant NULL and
@@ -45,7 +63,7 @@ static FGL_ALWAYS_INLINE struct real3 vec3_of(const float v[3])
 
 /* Adds one light to the sums of n vertices, for one face: the back face's normal is the negated one. terms:
  * NULL, or where the factors of vertex 0 go. */
-static FGL_ALWAYS_INLINE void add_light(const struct light_derived *FGL_RESTRICT L,
+static FGL_ALWAYS_INLINE void add_light(const light_numbers *FGL_RESTRICT L,
                                         const struct lighting_plan *FGL_RESTRICT plan, int face,
                                         struct vertex_work *FGL_RESTRICT work, int n, const unsigned key,
                                         struct light_terms *terms)
@@ -56,7 +74,7 @@ static FGL_ALWAYS_INLINE void add_light(const struct light_derived *FGL_RESTRICT
     const bool separate = key & LIGHT_SEPARATE, varying = key & LIGHT_VARYING,
                zero = key & LIGHT_ZERO_SHININESS;
     const struct real3 position = vec3_of(L->position), direction = vec3_of(L->direction);
-    const struct real3 axis = vec3_of(L->spot_direction), toward_eye = vec3_of(plan->view_direction);
+    const struct real3 axis = vec3_of(L->spot_direction), toward_eye = view_direction(plan);
     const real side = face ? -1 : 1;
 
     for (int i = 0, end = whole_groups(n); i < end; i++) {
@@ -71,13 +89,14 @@ static FGL_ALWAYS_INLINE void add_light(const struct light_derived *FGL_RESTRICT
             NOTE(distance, r_sqrt(square));
             if (attenuated) {
                 real d = r_sqrt(square);
-                att = 1 / ((L->k2 * square + L->k1 * d) + L->k0 * (inverse * d));
+                real constant = R_EXACT ? L->k0 : L->k0 * (inverse * d);
+                att = r_attenuation((L->k2 * square + L->k1 * d) + constant);
                 NOTE(attenuation, att);
             }
         }
         if (spotted) {
             real cosine = -r_dot3(VP, axis);
-            real spot = r_select(L->cos_cutoff < cosine, r_pow(cosine, L->spot_exponent), 0);
+            real spot = r_select(in_cone(cosine, L->cos_cutoff), r_pow(cosine, L->spot_exponent), 0);
             att = attenuated ? att * spot : spot;
             NOTE(spot_cosine, cosine);
             NOTE(spot, spot);
@@ -90,12 +109,12 @@ static FGL_ALWAYS_INLINE void add_light(const struct light_derived *FGL_RESTRICT
         if (specular) {
             struct real3 h = vec3_of(L->half);
             if (local_viewer)
-                h = r_normalize3(r_sub3(VP, load3(work->view, i)));
+                h = r_half3(VP, r_scale3(load3(work->view, i), -1));
             else if (positional)
-                h = r_normalize3(r_add3(VP, toward_eye));
+                h = r_half3(VP, toward_eye);
             real n_dot_h = side * r_dot3(normal, h);
-            real shininess = varying ? work->shininess[i] : plan->shininess[face];
-            if (zero) /* OSMesa rule: no material has a highlight, and then h is not looked at */
+            real shininess = varying ? work->shininess[i] : (real)plan->shininess[face];
+            if (zero && !R_EXACT) /* OSMesa rule: no material has a highlight, and then h is not looked at */
                 f_spec = attenuated || spotted ? r_pow(diffuse, diffuse) : 1;
             else
                 f_spec = r_pow(n_dot_h, shininess);
@@ -114,12 +133,12 @@ static FGL_ALWAYS_INLINE void add_light(const struct light_derived *FGL_RESTRICT
             ambient = r_scale3(ambient, att);
         }
         struct real3 d = r_scale3(light_product(L, work, face, i, COLOR_DIFFUSE, varying), diffuse);
-        c = r_add3(ambient, c);
-        c = r_add3(d, c);
+        c = r_add3(term3(ambient), c);
+        c = r_add3(term3(d), c);
         NOTE3(ambient, ambient);
         NOTE3(diffuse, d);
         if (specular) {
-            struct real3 s = r_scale3(light_product(L, work, face, i, COLOR_SPECULAR, varying), f_spec);
+            struct real3 s = term3(r_scale3(light_product(L, work, face, i, COLOR_SPECULAR, varying), f_spec));
             NOTE3(specular, s);
             if (separate)
                 store3(work->specular, i, r_add3(s, load3(work->specular, i)));
@@ -139,14 +158,14 @@ static FGL_ALWAYS_INLINE void load_parameter(const struct lighting_plan *FGL_RES
                                              real *FGL_RESTRICT out)
 {
     const int source = plan->source[parameter][face];
-    const real constant = plan->material[parameter][face][component];
+    const real constant = (real)plan->material[parameter][face][component];
 
     if (source < 0) {
         for (int i = 0, end = whole_groups(n); i < end; i++)
             out[i] = constant;
     } else {
         for (int i = 0, end = whole_groups(n); i < end; i++)
-            out[i] = b->in[source].c[component][first + i];
+            out[i] = (real)b->in[source].c[component][first + i];
     }
 }
 
@@ -168,19 +187,19 @@ static FGL_ALWAYS_INLINE void start_varying(const struct lighting_plan *FGL_REST
         load_parameter(plan, b, first, n, MAT_EMISSION, face, c, work->color[c]);
         for (int i = 0, end = whole_groups(n); i < end; i++) {
             work->color[c][i] =
-                    plan->model_ambient[c] * work->material[COLOR_AMBIENT][c][i] + work->color[c][i];
+                    r_term((real)plan->model_ambient[c] * work->material[COLOR_AMBIENT][c][i]) +
+                    r_term(work->color[c][i]);
             work->specular[c][i] = 0;
         }
     }
 }
 
 /* Starts the sums with emission and the scene's ambient light. */
-static FGL_ALWAYS_INLINE void start_constant(const struct lighting_plan *FGL_RESTRICT plan, int face, int n,
-                                             struct vertex_work *FGL_RESTRICT work)
+static FGL_ALWAYS_INLINE void start_constant(const real base[3], int n, struct vertex_work *FGL_RESTRICT work)
 {
     for (int c = 0; c < 3; c++)
         for (int i = 0, end = whole_groups(n); i < end; i++) {
-            work->color[c][i] = plan->base[face][c];
+            work->color[c][i] = base[c];
             work->specular[c][i] = 0;
         }
 }

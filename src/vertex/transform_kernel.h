@@ -10,22 +10,23 @@
 static FGL_ALWAYS_INLINE void transform_positions(const struct vertex_plan *FGL_RESTRICT plan,
                                                   struct vertex_batch *FGL_RESTRICT b, int first, int n)
 {
-    const float *m = plan->mvp, *scale = plan->viewport_scale, *trans = plan->viewport_trans;
+    const real *m = PLAN_NUMBERS(plan)->mvp;
+    const float *scale = plan->viewport_scale, *trans = plan->viewport_trans;
 
     for (int i = first, end = first + whole_groups(n); i < end; i++) {
         struct real4 p = load_position(b, i);
-        float x = (float)r_row4(p, m), y = (float)r_row4(p, m + 1);
-        float z = (float)r_row4(p, m + 2), w = (float)r_row4(p, m + 3);
-        float oow = 1.0f / w;
+        real exact_x = r_row4(p, m), exact_y = r_row4(p, m + 1);
+        real exact_z = r_row4(p, m + 2), exact_w = r_row4(p, m + 3), oow = 1 / exact_w;
+        float x = (float)exact_x, y = (float)exact_y, z = (float)exact_z, w = (float)exact_w;
 
         b->clip.c[0][i] = x;
         b->clip.c[1][i] = y;
         b->clip.c[2][i] = z;
         b->clip.c[3][i] = w;
-        b->win.c[0][i] = fgl_fma(x * oow, scale[0], trans[0]);
-        b->win.c[1][i] = fgl_fma(y * oow, scale[1], trans[1]);
-        b->win.c[2][i] = fgl_fma(z * oow, scale[2], trans[2]);
-        b->win.c[3][i] = oow;
+        b->win.c[0][i] = (float)r_fma(exact_x * oow, (real)scale[0], (real)trans[0]);
+        b->win.c[1][i] = (float)r_fma(exact_y * oow, (real)scale[1], (real)trans[1]);
+        b->win.c[2][i] = (float)r_fma(exact_z * oow, (real)scale[2], (real)trans[2]);
+        b->win.c[3][i] = (float)oow;
         b->outcode[i] = (x > w ? CLIP_RIGHT : 0u) | (x + w < 0 ? CLIP_LEFT : 0u) | (y > w ? CLIP_TOP : 0u) |
                         (y + w < 0 ? CLIP_BOTTOM : 0u) | (z + w < 0 ? CLIP_NEAR : 0u) |
                         (z > w ? CLIP_FAR : 0u);
@@ -47,11 +48,16 @@ static FGL_ALWAYS_INLINE void transform_eye(const struct vertex_plan *FGL_RESTRI
                                             struct vertex_batch *FGL_RESTRICT b, int first, int n,
                                             struct vertex_work *FGL_RESTRICT work)
 {
-    const float *m = plan->modelview;
+    const real *m = PLAN_NUMBERS(plan)->modelview;
 
     for (int i = 0, end = whole_groups(n); i < end; i++) {
         struct real4 p = load_position(b, first + i);
-        store3(work->eye, i, r_vec3(r_row4(p, m), r_row4(p, m + 1), r_row4(p, m + 2)));
+        struct real3 eye = r_vec3(r_row4(p, m), r_row4(p, m + 1), r_row4(p, m + 2));
+        if (R_EXACT) { /* w = 0: a direction, as a point very far away */
+            real w = r_row4(p, m + 3), divisor = r_select(w == 0, (real)0x1p-100, w);
+            eye = r_vec3(eye.x / divisor, eye.y / divisor, eye.z / divisor);
+        }
+        store3(work->eye, i, eye);
     }
 }
 
@@ -70,10 +76,10 @@ static FGL_ALWAYS_INLINE void load_normals(const struct vertex_plan *FGL_RESTRIC
     for (int c = 0; c < 3; c++)
         if (varying)
             for (int i = 0, end = whole_groups(n); i < end; i++)
-                work->normal[c][i] = b->in[ATTR_NORMAL].c[c][first + i];
+                work->normal[c][i] = (real)b->in[ATTR_NORMAL].c[c][first + i];
         else
             for (int i = 0, end = whole_groups(n); i < end; i++)
-                work->normal[c][i] = plan->constant[ATTR_NORMAL][c];
+                work->normal[c][i] = (real)plan->constant[ATTR_NORMAL][c];
 }
 
 /* GL 1.5, 2.11.3 "Normal Transformation". */
@@ -81,7 +87,7 @@ static FGL_ALWAYS_INLINE void transform_normals(const struct vertex_plan *FGL_RE
                                                 struct vertex_work *FGL_RESTRICT work, int n,
                                                 const bool to_eye, const enum normal_scaling scaling)
 {
-    const float(*m)[3] = plan->normal_matrix;
+    const real(*m)[3] = PLAN_NUMBERS(plan)->normal_matrix;
 
     for (int i = 0, end = whole_groups(n); i < end; i++) {
         struct real3 v = load3(work->normal, i);
@@ -90,7 +96,7 @@ static FGL_ALWAYS_INLINE void transform_normals(const struct vertex_plan *FGL_RE
         if (scaling == NORMAL_NORMALIZE)
             v = r_normalize3(v);
         if (scaling == NORMAL_RESCALE)
-            v = r_scale3(v, plan->rescale_factor);
+            v = r_scale3(v, PLAN_NUMBERS(plan)->rescale_factor);
         store3(work->normal, i, v);
     }
 }
@@ -101,19 +107,20 @@ static FGL_ALWAYS_INLINE void eye_distance(const struct vertex_plan *FGL_RESTRIC
                                            float *FGL_RESTRICT distance)
 {
     for (int i = first, end = first + whole_groups(n); i < end; i++)
-        distance[i] = (float)r_abs(r_row4_w_first(load_position(b, i), plan->modelview + 2));
+        distance[i] = (float)r_abs(r_row4_w_first(load_position(b, i), PLAN_NUMBERS(plan)->modelview + 2));
 }
 
 /* GL 1.5, 3.3 "Points": the size attenuated by distance. */
 static FGL_ALWAYS_INLINE void point_sizes(const struct vertex_plan *FGL_RESTRICT plan,
                                           struct vertex_batch *FGL_RESTRICT b, int first, int n)
 {
-    const float *k = plan->point_attenuation;
+    const real k[3] = {(real)plan->point_attenuation[0], (real)plan->point_attenuation[1],
+                       (real)plan->point_attenuation[2]};
 
     for (int i = first, end = first + whole_groups(n); i < end; i++) {
-        real d = r_abs(r_row4_w_first(load_position(b, i), plan->modelview + 2));
-        real size = plan->point_size * r_rsqrt(k[0] + d * (k[1] + d * k[2]));
-        b->point_size[i] = (float)r_min(r_max(size, plan->point_size_min), plan->point_size_max);
+        real d = r_abs(r_row4_w_first(load_position(b, i), PLAN_NUMBERS(plan)->modelview + 2));
+        real size = (real)plan->point_size * r_rsqrt(k[0] + d * (k[1] + d * k[2]));
+        b->point_size[i] = (float)r_min(r_max(size, (real)plan->point_size_min), (real)plan->point_size_max);
     }
 }
 

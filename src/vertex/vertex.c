@@ -2,6 +2,8 @@
 #include "vertex/vertex.h"
 
 #include "base/cpu.h"
+#include "fixedgl.h"
+#include "state/matrix_exact.h"
 
 #include <string.h>
 
@@ -52,6 +54,13 @@ static void derive_point_size(struct vertex_plan *plan, const struct point_state
     plan->point_size_max = state->point_size_max;
 }
 
+static void validate_lighting(struct vertex_plan *plan, struct context *ctx)
+{
+    fgl_light_validate(plan, ctx);
+    if (plan->accuracy == FIXEDGL_EXACT)
+        fgl_exact_light_validate(plan, ctx);
+}
+
 void fgl_vertex_validate(struct vertex_plan *plan, struct context *ctx, uint32_t varying,
                          int framebuffer_height)
 {
@@ -61,7 +70,11 @@ void fgl_vertex_validate(struct vertex_plan *plan, struct context *ctx, uint32_t
 
     if (dirty & (DIRTY_MODELVIEW | DIRTY_PROJECTION))
         fgl_matrix_product(plan->mvp, projection->m, modelview->m);
+    plan->accuracy = (int)ctx->accuracy;
+    if (dirty & (DIRTY_MODELVIEW | DIRTY_PROJECTION))
+        fgl_exact_product(plan->exact.mvp, projection->exact, modelview->exact);
     if (dirty & DIRTY_MODELVIEW) {
+        memcpy(plan->exact.modelview, modelview->exact, sizeof plan->exact.modelview);
         (void)fgl_matrix_class(modelview); /* a use: the class is found now, not after later commands */
         memcpy(plan->modelview, modelview->m, sizeof plan->modelview);
     }
@@ -80,12 +93,12 @@ void fgl_vertex_validate(struct vertex_plan *plan, struct context *ctx, uint32_t
     plan->color_is_varying = !plan->lighting && (varying >> ATTR_COLOR & 1);
     if (plan->lighting && dirty & (DIRTY_MODELVIEW | DIRTY_LIGHT | DIRTY_MATERIAL | DIRTY_CURRENT |
                                    DIRTY_NORMALIZE | DIRTY_RASTER | DIRTY_VARYING))
-        fgl_light_validate(plan, ctx);
+        validate_lighting(plan, ctx);
 }
 
 void fgl_vertex_run(const struct vertex_plan *plan, struct vertex_batch *batch, bool general)
 {
-    const struct vertex_kernels *kernels = fgl_vertex_kernels();
+    const struct vertex_kernels *kernels = fgl_vertex_kernels(plan->accuracy);
     uint32_t any = 0, all = ~(uint32_t)0;
 
     for (int first = 0; first < batch->n; first += VERTEX_CHUNK)
@@ -100,26 +113,32 @@ void fgl_vertex_run(const struct vertex_plan *plan, struct vertex_batch *batch, 
 
 void fgl_vertex_trace(const struct vertex_plan *plan, struct vertex_batch *batch, struct vertex_trace *trace)
 {
-    fgl_vertex_kernels()->trace(plan, batch, trace);
+    fgl_vertex_kernels(plan->accuracy)->trace(plan, batch, trace);
 }
 
-/* The kernels of each set that the build has. */
+/* The kernels of each set that the build has, by mode. */
+enum { ARITH_COMPATIBLE, ARITH_EXACT, ARITH_COUNT };
 #if defined(__x86_64__)
-extern const struct vertex_kernels fgl_vertex_kernels_sse2, fgl_vertex_kernels_avx2,
-        fgl_vertex_kernels_avx512;
-static const struct vertex_kernels *const kernels_of[FGL_ISA_COUNT] = {
-        &fgl_vertex_kernels_sse2, &fgl_vertex_kernels_avx2, &fgl_vertex_kernels_avx512};
+#define EACH_ISA(M) M(sse2) M(avx2) M(avx512)
 #else
-extern const struct vertex_kernels fgl_vertex_kernels_base;
-static const struct vertex_kernels *const kernels_of[FGL_ISA_COUNT] = {&fgl_vertex_kernels_base};
+#define EACH_ISA(M) M(base)
 #endif
+#define DECLARE(isa) extern const struct vertex_kernels fgl_vertex_kernels_##isa##_compatible, fgl_vertex_kernels_##isa##_exact;
+#define ENTRY(isa) {&fgl_vertex_kernels_##isa##_compatible, &fgl_vertex_kernels_##isa##_exact},
+EACH_ISA(DECLARE)
+static const struct vertex_kernels *const kernels_of[FGL_ISA_COUNT][ARITH_COUNT] = {EACH_ISA(ENTRY)};
 
-const struct vertex_kernels *fgl_vertex_kernels(void)
+static int arith_of(int accuracy)
 {
-    return kernels_of[fgl_cpu_isa()];
+    return accuracy == FIXEDGL_EXACT ? ARITH_EXACT : ARITH_COMPATIBLE;
 }
 
-const struct vertex_kernels *fgl_vertex_kernels_of(int isa)
+const struct vertex_kernels *fgl_vertex_kernels(int accuracy)
 {
-    return fgl_cpu_has((enum fgl_isa)isa) ? kernels_of[isa] : NULL;
+    return kernels_of[fgl_cpu_isa()][arith_of(accuracy)];
+}
+
+const struct vertex_kernels *fgl_vertex_kernels_of(int isa, int accuracy)
+{
+    return fgl_cpu_has((enum fgl_isa)isa) ? kernels_of[isa][arith_of(accuracy)] : NULL;
 }

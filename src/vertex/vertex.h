@@ -59,7 +59,26 @@ struct lighting_plan {
                                 space's (0,0,1) */
 };
 
+/* The numbers of a light in double, with the names of those of struct light_derived. Eye space always. */
+struct exact_light {
+    double position[3], direction[3], half[3], spot_direction[3];
+    double spot_exponent, cos_cutoff;
+    double k0, k1, k2;
+    double color[COLOR_COUNT][3], product[2][COLOR_COUNT][3];
+};
+
+/* What the kernels of FIXEDGL_EXACT read in place of the floats: never made of them. */
+struct exact_plan {
+    double mvp[16], modelview[16];
+    double normal_matrix[3][3], rescale_factor;
+    enum normal_scaling normal_scaling;
+    double base[2][3];
+    struct exact_light light[FGL_MAX_LIGHTS]; /* as lighting_plan.light */
+};
+
 struct vertex_plan {
+    int accuracy; /* FIXEDGL_EXACT or FIXEDGL_COMPATIBLE */
+    struct exact_plan exact;
     float mvp[16], modelview[16];
     float viewport_scale[3], viewport_trans[3];    /* window = fma(clip / w, scale, trans); y down */
     unsigned user_planes;                          /* bit i: enabled */
@@ -90,6 +109,9 @@ void fgl_vertex_validate(struct vertex_plan *plan, struct context *ctx, uint32_t
 
 /* light.c: the part of validation that concerns lighting. */
 void fgl_light_validate(struct vertex_plan *plan, struct context *ctx);
+
+/* exact_plan.c: the same numbers in double, after fgl_light_validate. */
+void fgl_exact_light_validate(struct vertex_plan *plan, struct context *ctx);
 
 /* Runs the stages of the plan over the batch. general: without specialised kernels; the same bits. */
 void fgl_vertex_run(const struct vertex_plan *plan, struct vertex_batch *batch, bool general);
@@ -127,9 +149,9 @@ struct vertex_kernels {
     void (*trace)(const struct vertex_plan *plan, struct vertex_batch *batch, struct vertex_trace *trace);
 };
 
-/* The kernels that fgl_vertex_run uses; and those of one set, or NULL when the build or the CPU does not have
- * it (enum fgl_isa). */
-const struct vertex_kernels *fgl_vertex_kernels(void);
-const struct vertex_kernels *fgl_vertex_kernels_of(int isa);
+/* The kernels that fgl_vertex_run uses for a mode (FIXEDGL_COMPATIBLE, ...); and those of one set and mode, or NULL
+ * when the build or the CPU does not have it (enum fgl_isa). */
+const struct vertex_kernels *fgl_vertex_kernels(int accuracy);
+const struct vertex_kernels *fgl_vertex_kernels_of(int isa, int accuracy);
 
 #endif

@@ -15,8 +15,21 @@ static FGL_ALWAYS_INLINE int whole_groups(int n)
     return n & ~(VERTEX_GROUP - 1);
 }
 
+/* The numbers of the plan in the arithmetic's type. */
+#if R_EXACT
+typedef struct exact_light light_numbers;
+#define PLAN_NUMBERS(plan) (&(plan)->exact)
+#define PLAN_LIGHTS(plan) ((plan)->exact.light)
+#define PLAN_BASE(plan, face) ((plan)->exact.base[face])
+#else
+typedef struct light_derived light_numbers;
+#define PLAN_NUMBERS(plan) (plan)
+#define PLAN_LIGHTS(plan) ((plan)->light.light)
+#define PLAN_BASE(plan, face) ((plan)->light.base[face])
+#endif
+
 struct vertex_work {
-    real eye[3][VERTEX_CHUNK];      /* eye space position */
+    real eye[3][VERTEX_CHUNK];      /* eye space position; divided by w if R_EXACT */
     real view[3][VERTEX_CHUNK];     /* unit vector from the eye to the vertex; local viewer only */
     real normal[3][VERTEX_CHUNK];   /* in the lighting space */
     real color[3][VERTEX_CHUNK];    /* sums of the lighting equation, not clamped */
@@ -42,7 +55,7 @@ static FGL_ALWAYS_INLINE void store3(real a[3][VERTEX_CHUNK], int i, struct real
 static FGL_ALWAYS_INLINE struct real4 load_position(struct vertex_batch *b, int i)
 {
     struct lanes4 *in = &b->in[ATTR_POSITION];
-    return (struct real4){in->c[0][i], in->c[1][i], in->c[2][i], in->c[3][i]};
+    return (struct real4){(real)in->c[0][i], (real)in->c[1][i], (real)in->c[2][i], (real)in->c[3][i]};
 }
 
 #endif

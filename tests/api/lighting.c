@@ -250,6 +250,30 @@ static void tracking_through_the_attribute_stack(void **state)
     EXPECT_VALUES(GL_CURRENT_COLOR, 0, 1, 0, 1);
 }
 
+/* fixedgl.h: by function and by hint, in a list too, and what a query says. */
+static void accuracy(void **state)
+{
+    (void)state;
+    if (!on_fixedgl())
+        return;
+    EXPECT_VALUES(GL_LIGHTING_ACCURACY_HINT_FIXEDGL, GL_DONT_CARE);
+    assert_int_equal(fixedglAccuracy(FIXEDGL_EXACT), FIXEDGL_COMPATIBLE);
+    EXPECT_VALUES(GL_LIGHTING_ACCURACY_HINT_FIXEDGL, GL_NICEST);
+    glHint(GL_LIGHTING_ACCURACY_HINT_FIXEDGL, GL_DONT_CARE);
+    assert_int_equal(fixedglAccuracy(FIXEDGL_COMPATIBLE), FIXEDGL_COMPATIBLE);
+    glNewList(1, GL_COMPILE);
+    glHint(GL_LIGHTING_ACCURACY_HINT_FIXEDGL, GL_NICEST);
+    glEndList();
+    EXPECT_VALUES(GL_LIGHTING_ACCURACY_HINT_FIXEDGL, GL_DONT_CARE);
+    glCallList(1);
+    assert_int_equal(fixedglAccuracy(FIXEDGL_COMPATIBLE), FIXEDGL_EXACT);
+    glBegin(GL_POINTS);
+    assert_int_equal(fixedglAccuracy(FIXEDGL_EXACT), 0);
+    glEnd();
+    EXPECT_ERROR(GL_INVALID_OPERATION, (void)0);
+    assert_int_equal(fixedglAccuracy(FIXEDGL_COMPATIBLE), FIXEDGL_COMPATIBLE);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -268,6 +292,7 @@ int main(void)
             GL_TEST(material_while_tracking),
             GL_TEST(tracking_through_the_attribute_stack),
             GL_TEST(material_waiting_when_tracking_begins),
+            GL_TEST(accuracy),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,6 @@
 #include "oracle/measure.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,6 +28,14 @@ static void count(struct tally *tally, double error, struct oracle_worst where)
     }
 }
 
+/* Of a float of this magnitude, not below the normal range. */
+static double last_place(double x)
+{
+    int exponent;
+    frexp(fmax(fabs(x), (double)FLT_MIN), &exponent);
+    return ldexp(1, exponent - FLT_MANT_DIG);
+}
+
 static void compare_vertex(struct tally *tally, const struct oracle_color *truth, const float drawn[4],
                            bool sum_of_two, struct oracle_worst where)
 {
@@ -42,6 +51,7 @@ static void compare_vertex(struct tally *tally, const struct oracle_color *truth
         const quad exact = truth->drawn ? truth->component[where.component] : 0;
         const double error = fabs((double)((quad)where.drawn - exact));
         count(tally, valid && both ? error : 1, where);
+        tally->error.ulps = fmax(tally->error.ulps, (valid && both ? error : 1) / last_place((double)exact));
     }
 }
 

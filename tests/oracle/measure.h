@@ -15,6 +15,7 @@ struct oracle_worst {
 struct oracle_error {
     long components;
     double max, mean, p999; /* the greatest, the mean, the 99.9th percentile */
+    double ulps;            /* the greatest, in units of the last place of the truth as a float */
     long wrong_bytes;       /* components that differ from the truth when both are rounded to 8 bits */
     long invalid;           /* NaN, infinite or outside [0,1] */
     long at_edge;           /* components left out: closer than the margin to where the equation jumps */

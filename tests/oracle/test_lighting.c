@@ -1,6 +1,7 @@
 /*
  * Lit colors against the oracle, category by category, each a test of its name.
  *
+ * Each in every mode of fixedglAccuracy; --table has the mode of FIXEDGL_ACCURACY.
  * environment: FIXEDGL_SEED, the seed (printed); FIXEDGL_SCENES, scenes per category, 64 vertices each.
  * LD_PRELOAD=libOSMesa.so.8 measures OSMesa instead; argument --table: print the figures of all categories
  * and assert nothing.
@@ -15,6 +16,7 @@
 
 #include <cmocka.h>
 
+#include "fixedgl.h"
 #include "oracle/measure.h"
 
 enum { MOST_CATEGORIES = 256 };
@@ -34,20 +36,21 @@ static void read_environment(void)
         scenes = atoi(given_scenes);
 }
 
-static double bound_of(int category)
+static double bound_of(int category, bool exact)
 {
-    return oracle_categories[category].bounds.compatible;
+    const struct oracle_bounds *bounds = &oracle_categories[category].bounds;
+    return exact ? bounds->exact : bounds->compatible;
 }
 
-static struct oracle_error measure(int category)
+static struct oracle_error measure(int category, bool exact)
 {
-    return oracle_measure(category, seed, scenes, bound_of(category) > 0 ? margin : 0);
+    return oracle_measure(category, seed, scenes, !exact && bound_of(category, false) > 0 ? margin : 0);
 }
 
 static void print_error_line(int category, const struct oracle_error *e)
 {
-    printf("%-46s max %.1e  99.9%% %.1e  mean %.1e  bytes %5ld  invalid %5ld  of %ld",
-           oracle_categories[category].name, e->max, e->p999, e->mean, e->wrong_bytes, e->invalid,
+    printf("%-46s max %.1e (%.4f ulp)  99.9%% %.1e  mean %.1e  bytes %5ld  invalid %5ld  of %ld",
+           oracle_categories[category].name, e->max, e->ulps, e->p999, e->mean, e->wrong_bytes, e->invalid,
            e->components);
     if (e->max > 0)
         printf("  worst: scene %d vertex %d component %d, %.9g for %.9g", e->worst.scene, e->worst.vertex,
@@ -59,12 +62,25 @@ static void print_error_line(int category, const struct oracle_error *e)
 static void test_category(void **state)
 {
     const int category = *(const int *)*state;
-    const struct oracle_error error = measure(category);
+    const struct oracle_error error = measure(category, false);
+    const double bound = bound_of(category, false);
     print_error_line(category, &error);
-    if (bound_of(category) > 0) {
+    if (bound > 0) {
         assert_true(error.components > 0);
-        assert_true(error.max <= bound_of(category));
+        assert_true(error.max <= bound);
     }
+}
+
+static void test_category_exact(void **state)
+{
+    const int category = *(const int *)*state;
+    const double bound = bound_of(category, true);
+    assert_int_not_equal(fixedglAccuracy(FIXEDGL_EXACT), 0);
+    const struct oracle_error error = measure(category, true);
+    fixedglAccuracy(FIXEDGL_COMPATIBLE);
+    print_error_line(category, &error);
+    assert_true(error.components > 0);
+    assert_true(error.ulps <= bound);
 }
 
 /* The oracle itself, where its answer can be had by hand. */
@@ -91,8 +107,10 @@ static void test_worked_example(void **unused)
 
 static int print_table(void)
 {
+    const char *mode = getenv("FIXEDGL_ACCURACY");
+    const bool exact = mode != NULL && strcmp(mode, "exact") == 0;
     for (int i = 0; i < oracle_category_count; i++) {
-        const struct oracle_error error = measure(i);
+        const struct oracle_error error = measure(i, exact);
         print_error_line(i, &error);
     }
     return 0;
@@ -104,10 +122,12 @@ static int test_all(void)
     static struct CMUnitTest tests[MOST_CATEGORIES];
     size_t count = 0;
     tests[count++] = (struct CMUnitTest)cmocka_unit_test(test_worked_example);
-    for (int i = 0; i < oracle_category_count && i < MOST_CATEGORIES - 1; i++) {
+    for (int i = 0; i < oracle_category_count && 2 * i + 2 < MOST_CATEGORIES; i++) {
         number[i] = i;
         tests[count++] =
                 (struct CMUnitTest){oracle_categories[i].name, test_category, NULL, NULL, &number[i]};
+        tests[count++] =
+                (struct CMUnitTest){oracle_categories[i].name, test_category_exact, NULL, NULL, &number[i]};
     }
     return _cmocka_run_group_tests("lighting", tests, count, NULL, NULL);
 }
@@ -115,6 +135,8 @@ static int test_all(void)
 int main(int argc, char **argv)
 {
     read_environment();
+    if (argc == 1)
+        unsetenv("FIXEDGL_ACCURACY"); /* the tests choose */
     if (!oracle_open()) {
         fprintf(stderr, "test_lighting: no context with a buffer of floats\n");
         return 1;

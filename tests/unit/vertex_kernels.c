@@ -1,5 +1,6 @@
 /* The vertex kernels: every instruction set that this CPU has, specialised and general, gives the bits of a
  * plain scalar transcription of the rules; nothing is written behind the spare elements. */
+#include "fixedgl.h"
 #include "vertex_setup.h"
 
 #include "base/arith.h"
@@ -228,8 +229,8 @@ static void run_one_set(int n)
     random_batch(batch, random_varying(), n);
     fgl_vertex_validate(plan, ctx, batch->varying, 75);
     for (int isa = 0; isa < FGL_ISA_COUNT; isa++)
-        for (int general = 0; general < 2 && fgl_vertex_kernels_of(isa); general++) {
-            const struct vertex_kernels *kernels = fgl_vertex_kernels_of(isa);
+        for (int general = 0; general < 2 && fgl_vertex_kernels_of(isa, FIXEDGL_COMPATIBLE); general++) {
+            const struct vertex_kernels *kernels = fgl_vertex_kernels_of(isa, FIXEDGL_COMPATIBLE);
             kernels_name = general ? "general" : kernels->isa;
             fill_outputs(batch);
             for (int first = 0; first < n; first += VERTEX_CHUNK)
@@ -241,6 +242,54 @@ static void run_one_set(int n)
     free(batch);
     free(plan);
     free(ctx);
+}
+
+/* The same bits, or both no number. */
+static void same_lanes(const struct lanes4 *a, const struct lanes4 *b, int n)
+{
+    for (int c = 0; c < 4; c++)
+        for (int i = 0; i < n; i++)
+            if (!isnan(a->c[c][i]) || !isnan(b->c[c][i]))
+                assert_memory_equal(&a->c[c][i], &b->c[c][i], sizeof(float));
+}
+
+/* Colours and positions of every set and path are those of the first. */
+static void exact_sets_agree(int n)
+{
+    static struct vertex_batch first;
+    struct context *ctx = new_context();
+    struct vertex_plan *plan = calloc(1, sizeof *plan);
+    struct vertex_batch *batch = calloc(1, sizeof *batch);
+
+    assert_true(plan && batch);
+    random_seed(set);
+    random_state_of(ctx);
+    random_batch(batch, random_varying(), n);
+    ctx->accuracy = FIXEDGL_EXACT;
+    fgl_vertex_validate(plan, ctx, batch->varying, 75);
+    memset(&first, 0, sizeof first);
+    for (int isa = 0; isa < FGL_ISA_COUNT; isa++)
+        for (int general = 0; general < 2 && fgl_vertex_kernels_of(isa, FIXEDGL_EXACT); general++) {
+            memset(&batch->clip, 0, sizeof *batch - offsetof(struct vertex_batch, clip));
+            for (int i = 0; i < n; i += VERTEX_CHUNK)
+                fgl_vertex_kernels_of(isa, FIXEDGL_EXACT)->run(plan, batch, i, fgl_min(n - i, VERTEX_CHUNK), general);
+            if (isa == 0 && !general)
+                memcpy(&first, batch, sizeof first);
+            same_lanes(&batch->win, &first.win, n);
+            same_lanes(&batch->color[0], &first.color[0], n);
+            same_lanes(&batch->color[1], &first.color[1], n);
+            same_lanes(&batch->secondary[0], &first.secondary[0], n);
+        }
+    free(batch);
+    free(plan);
+    free(ctx);
+}
+
+static void exact_kernels_agree(void **state)
+{
+    (void)state;
+    for (set = 0; set < 400; set++)
+        exact_sets_agree(set % 3 ? 40 : 300);
 }
 
 static void kernels_agree_with_the_transcription(void **state)
@@ -282,6 +331,7 @@ static void a_batch_has_its_outcodes_summed_up(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(kernels_agree_with_the_transcription),
+                                       cmocka_unit_test(exact_kernels_agree),
                                        cmocka_unit_test(a_batch_has_its_outcodes_summed_up)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

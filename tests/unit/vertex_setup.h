@@ -44,6 +44,10 @@ static inline void random_light(struct light *light)
         light->spot_direction[i] = between(-1, 1);
     }
     light->position[3] = w[one_of(4)];
+    for (int i = 0; i < 4; i++) {
+        light->exact_position[i] = (double)light->position[i];
+        light->exact_spot_direction[i] = i < 3 ? (double)light->spot_direction[i] : 0;
+    }
     light->spot_cutoff = one_of(2) ? 180 : between(20, 90);
     light->spot_exponent = one_of(2) ? 0 : between(0, 128);
     light->constant_attenuation = one_of(2) ? 1 : between(0.2f, 1);

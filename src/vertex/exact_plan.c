@@ -1,0 +1,118 @@
+/* Derives the numbers that FIXEDGL_EXACT reads (GL 1.5, 2.14.1 "Lighting"), in double from the state's doubles. What
+ * to compute was decided by light.c. */
+#include "state/matrix_exact.h"
+#include "vertex/vertex.h"
+
+#include <math.h>
+#include <string.h>
+
+/* v scaled to unit length; the zero vector stays. */
+static void normalize(double v[3])
+{
+    const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+
+    for (int c = 0; square > 0 && c < 3; c++)
+        v[c] /= sqrt(square);
+}
+
+/* As r_half3 (base/arith.h), for the viewer along z. */
+static void derive_half(double half[3], const double direction[3])
+{
+    const double d[3] = {direction[0] / 2, direction[1] / 2, (direction[2] - 1) / 2};
+    double along = 0;
+
+    for (int c = 0; c < 3; c++) {
+        half[c] = direction[c] + (c == 2 ? 1 : 0);
+        along += half[c] * d[c];
+    }
+    for (int c = 0; c < 3; c++)
+        half[c] -= along * d[c];
+    normalize(half);
+}
+
+static double number_or_zero(double x)
+{
+    return isnan(x) ? 0 : x;
+}
+
+static bool is_finite_point(const double v[4])
+{
+    return isfinite(v[0]) && isfinite(v[1]) && isfinite(v[2]) && isfinite(v[3]);
+}
+
+/* Directional lights are used as directions, positional ones as points divided by w: what GL 1.5, 2.14.1 calls the
+ * vector from the vertex to the light. */
+static void derive_geometry(struct exact_light *out, const struct light *light)
+{
+    const double radians_per_degree = 3.14159265358979323846 / 180.0, cutoff = (double)light->spot_cutoff;
+    /* Cosines of vertices on the cone's edge come out this near to it; they are lit. */
+    const double edge = 0x1p-50;
+
+    for (int c = 0; c < 3; c++) {
+        out->position[c] = light->exact_position[c] / light->exact_position[3];
+        out->direction[c] = light->exact_position[c];
+        out->spot_direction[c] = light->exact_spot_direction[c];
+    }
+    normalize(out->direction);
+    normalize(out->spot_direction);
+    derive_half(out->half, out->direction);
+    out->cos_cutoff = (cutoff == 90 ? 0 : cos(cutoff * radians_per_degree)) - edge;
+    out->spot_exponent = (double)light->spot_exponent;
+    out->k0 = (double)light->constant_attenuation;
+    out->k1 = (double)light->linear_attenuation;
+    out->k2 = (double)light->quadratic_attenuation;
+}
+
+static void derive_products(struct exact_light *out, const struct light *light, const struct lighting_plan *plan)
+{
+    const float *const own[COLOR_COUNT] = {light->ambient, light->diffuse, light->specular};
+
+    for (int color = 0; color < COLOR_COUNT; color++)
+        for (int c = 0; c < 3; c++) {
+            out->color[color][c] = (double)own[color][c];
+            for (int face = 0; face < 2; face++)
+                out->product[face][color][c] =
+                        (double)own[color][c] * (double)plan->material[MAT_AMBIENT + color][face][c];
+        }
+}
+
+static void derive_base(struct exact_plan *out, const struct lighting_plan *plan)
+{
+    for (int face = 0; face < 2; face++)
+        for (int c = 0; c < 3; c++)
+            out->base[face][c] = number_or_zero((double)plan->model_ambient[c] *
+                                                (double)plan->material[MAT_AMBIENT][face][c]) +
+                                 number_or_zero((double)plan->material[MAT_EMISSION][face][c]);
+}
+
+/* GL 1.5, 2.11.3 "Normal Transformation". A singular matrix: GL_NORMALIZE takes the limit of the inverse's
+ * direction, the cofactors; otherwise normals are 0. */
+static void derive_normals(struct exact_plan *out, const struct transform_state *transform, const double m[16])
+{
+    double inverse[3][3];
+    const bool regular = fgl_exact_inverse3(inverse, m);
+
+    for (int r = 0; r < 3; r++)
+        for (int k = 0; k < 3; k++)
+            out->normal_matrix[r][k] = regular || transform->normalize ? inverse[k][r] : 0;
+    const double *third = inverse[2];
+    out->rescale_factor = 1 / sqrt(third[0] * third[0] + third[1] * third[1] + third[2] * third[2]);
+    out->normal_scaling = transform->normalize                    ? NORMAL_NORMALIZE
+                          : transform->rescale_normal && regular ? NORMAL_RESCALE
+                                                                 : NORMAL_AS_IS;
+}
+
+void fgl_exact_light_validate(struct vertex_plan *plan, struct context *ctx)
+{
+    struct exact_plan *out = &plan->exact;
+
+    for (int i = 0; i < plan->light.n; i++) {
+        const struct light *light = &ctx->s.lighting.light[plan->light.light[i].number];
+        derive_geometry(&out->light[i], light);
+        derive_products(&out->light[i], light, &plan->light);
+        if (!is_finite_point(light->exact_position)) /* its attenuation is no number then */
+            plan->light.light[i].key |= plan->light.light[i].key & LIGHT_POSITIONAL ? LIGHT_ATTENUATED : 0u;
+    }
+    derive_base(out, &plan->light);
+    derive_normals(out, &ctx->s.transform, fgl_matrix_top(&ctx->modelview)->exact);
+}
