@@ -43,7 +43,9 @@ void fgl_exec_Lightfv(struct context *ctx, GLenum light, GLenum pname, const GLf
     struct light *l = &ctx->s.lighting.light[i];
     float eye[4];
     double exact[4];
-    fgl_exact_transform(exact, fgl_matrix_top(&ctx->modelview)->exact, params,
+    double modelview[16];
+    fgl_exact_load(modelview, m);
+    fgl_exact_transform(exact, ctx->accuracy == FIXEDGL_EXACT ? fgl_matrix_top(&ctx->modelview)->exact : modelview, params,
                         pname == GL_POSITION ? 4 : pname == GL_SPOT_DIRECTION ? 3 : 0);
     if (pname == GL_POSITION) {
         transform_position(eye, m, params);

@@ -56,18 +56,6 @@ static FGL_ALWAYS_INLINE struct real3 r_normalize3(struct real3 a)
 {
     return r_scale3(a, r_rsqrt(r_dot3(a, a)));
 }
-/* The unit vector of a + b, a and b unit vectors. It is normal to a - b: where a + b is small, that removes what
- * the rounding of their lengths left. OSMesa rule: not done. */
-static FGL_ALWAYS_INLINE struct real3 r_half3(struct real3 a, struct real3 b)
-{
-    struct real3 sum = r_add3(a, b);
-
-    if (R_EXACT) {
-        struct real3 d = r_scale3(r_sub3(a, b), (real)0.5);
-        sum = r_sub3(sum, r_scale3(d, r_dot3(sum, d)));
-    }
-    return r_normalize3(sum);
-}
 static FGL_ALWAYS_INLINE real r_max(real a, real b)
 {
     return a > b ? a : b;

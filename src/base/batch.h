@@ -53,6 +53,7 @@ struct vertex_batch {
     float fog_z[FGL_BATCH_CAPACITY]; /* |z_eye|, for fog */
     float point_size[FGL_BATCH_CAPACITY];
     uint32_t outcode[FGL_BATCH_CAPACITY]; /* CLIP_* bits: the planes that the vertex lies outside of */
+    uint32_t extreme[FGL_BATCH_CAPACITY]; /* lit in float: not 0 where float is not safe (vertex/work.h) */
     uint32_t outcode_any;     /* OR over the batch */
     uint32_t outcode_all;     /* AND over the batch */
 };

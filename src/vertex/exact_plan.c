@@ -1,5 +1,6 @@
 /* Derives the numbers that FIXEDGL_EXACT reads (GL 1.5, 2.14.1 "Lighting"), in double from the state's doubles. What
  * to compute was decided by light.c. */
+#include "fixedgl.h"
 #include "state/matrix_exact.h"
 #include "vertex/vertex.h"
 
@@ -15,7 +16,7 @@ static void normalize(double v[3])
         v[c] /= sqrt(square);
 }
 
-/* As r_half3 (base/arith.h), for the viewer along z. */
+/* As half_vector (light_kernel.h), for the viewer along z. */
 static void derive_half(double half[3], const double direction[3])
 {
     const double d[3] = {direction[0] / 2, direction[1] / 2, (direction[2] - 1) / 2};
@@ -102,6 +103,99 @@ static void derive_normals(struct exact_plan *out, const struct transform_state 
                                                                  : NORMAL_AS_IS;
 }
 
+/* Whether float is safe for a whole plan ------------------------------------------------------------------------ */
+
+static bool all_finite(const float *v, int n)
+{
+    for (int i = 0; i < n; i++)
+        if (!isfinite(v[i]))
+            return false;
+    return true;
+}
+
+static float greatest3(const float v[3])
+{
+    return fmaxf(fmaxf(fabsf(v[0]), fabsf(v[1])), fabsf(v[2]));
+}
+
+static bool is_safe_length(float x)
+{
+    return x >= 1e-12f && x <= 1e12f;
+}
+
+static bool is_safe_factor(float k)
+{
+    return k == 0 || is_safe_length(fabsf(k));
+}
+
+static bool is_safe_light(const struct light *light, const struct exact_light *exact, bool positional)
+{
+    const float *p = light->position;
+    const double *d = exact->direction;
+    const double half_square = d[0] * d[0] + d[1] * d[1] + (d[2] + 1) * (d[2] + 1);
+
+    if (!all_finite(light->ambient, 3) || !all_finite(light->diffuse, 3) || !all_finite(light->specular, 3) ||
+        !all_finite(p, 4) || !all_finite(light->spot_direction, 3))
+        return false;
+    if (light->spot_cutoff != 180.0f && !is_safe_factor(greatest3(light->spot_direction)))
+        return false;
+    if (!positional)
+        return is_safe_length(greatest3(p)) && half_square > 1e-4;
+    const float k[3] = {light->constant_attenuation, light->linear_attenuation, light->quadratic_attenuation};
+    return is_safe_length(fabsf(p[3])) && greatest3(p) <= 1e12f && greatest3(k) > 0 && is_safe_factor(k[0]) &&
+           is_safe_factor(k[1]) && is_safe_factor(k[2]);
+}
+
+/* Products of colours far outside of [0,1] magnify the rounding of what they are multiplied by. */
+static bool are_safe_products(const struct exact_light *light, bool two_sided)
+{
+    for (int face = 0; face <= two_sided; face++)
+        for (int color = 0; color < COLOR_COUNT; color++)
+            for (int c = 0; c < 3; c++)
+                if (fabs(light->product[face][color][c]) > 4)
+                    return false;
+    return true;
+}
+
+/* Whether the float inverse, by the formula of the matrix's class, is one. Drift of a product of many rotations, which
+ * OSMesa inverts by transposing, is no reason to leave its bits. */
+static bool is_safe_inverse(const struct vertex_plan *plan, unsigned modelview_class)
+{
+    const double tolerance = modelview_class & ~(unsigned)(MAT_ROTATION | MAT_TRANSLATION) ? 1e-5 : 1e-4;
+    double greatest = 0, difference = 0;
+
+    for (int r = 0; r < 3; r++)
+        for (int k = 0; k < 3; k++) {
+            const double exact = plan->exact.normal_matrix[r][k], given = (double)plan->normal_matrix[r][k];
+            greatest = fmax(greatest, fabs(exact));
+            if (!isfinite(given))
+                return false;
+            difference = fmax(difference, fabs(given - exact));
+        }
+    if (plan->exact.normal_scaling == NORMAL_RESCALE &&
+        !(fabs((double)plan->rescale_factor / plan->exact.rescale_factor - 1) <= tolerance))
+        return false;
+    return difference <= tolerance * greatest;
+}
+
+static bool is_needed(const struct vertex_plan *plan, struct context *ctx)
+{
+    const struct lighting_plan *lighting = &plan->light;
+
+    if (!all_finite(lighting->model_ambient, 3))
+        return true;
+    for (int m = MAT_AMBIENT; m <= MAT_EMISSION; m++)
+        for (int face = 0; face <= lighting->two_sided; face++)
+            if (!all_finite(lighting->material[m][face], 3))
+                return true;
+    for (int i = 0; i < lighting->n; i++)
+        if (!is_safe_light(&ctx->s.lighting.light[lighting->light[i].number], &plan->exact.light[i],
+                           lighting->light[i].key & LIGHT_POSITIONAL) ||
+            !are_safe_products(&plan->exact.light[i], lighting->two_sided))
+            return true;
+    return plan->need_normal && !is_safe_inverse(plan, fgl_matrix_class(fgl_matrix_top(&ctx->modelview)));
+}
+
 void fgl_exact_light_validate(struct vertex_plan *plan, struct context *ctx)
 {
     struct exact_plan *out = &plan->exact;
@@ -114,5 +208,6 @@ void fgl_exact_light_validate(struct vertex_plan *plan, struct context *ctx)
             plan->light.light[i].key |= plan->light.light[i].key & LIGHT_POSITIONAL ? LIGHT_ATTENUATED : 0u;
     }
     derive_base(out, &plan->light);
-    derive_normals(out, &ctx->s.transform, fgl_matrix_top(&ctx->modelview)->exact);
+    derive_normals(out, &ctx->s.transform, out->modelview);
+    out->needed = plan->accuracy != FIXEDGL_EXACT && is_needed(plan, ctx);
 }

@@ -22,6 +22,7 @@ typedef void normal_fn(const struct vertex_plan *FGL_RESTRICT plan, struct verte
     {                                                                                                        \
         transform_normals(plan, work, n, to_eye, scaling);                                                   \
     }
+NORMAL_KERNEL(normals_object, false, NORMAL_AS_IS)
 NORMAL_KERNEL(normals_object_normalize, false, NORMAL_NORMALIZE)
 NORMAL_KERNEL(normals_eye, true, NORMAL_AS_IS)
 NORMAL_KERNEL(normals_eye_rescale, true, NORMAL_RESCALE)
@@ -29,7 +30,7 @@ NORMAL_KERNEL(normals_eye_normalize, true, NORMAL_NORMALIZE)
 NORMAL_KERNEL(normals_general, R_EXACT || plan->normal_in_eye_space, PLAN_NUMBERS(plan)->normal_scaling)
 
 static normal_fn *const normal_kernel[2][3] = {
-        {NULL, normals_general, normals_object_normalize},
+        {normals_object, normals_general, normals_object_normalize},
         {normals_eye, normals_eye_rescale, normals_eye_normalize},
 };
 
@@ -112,8 +113,7 @@ static void run_normals(const struct vertex_plan *plan, struct vertex_batch *b, 
                     : normal_kernel[R_EXACT || plan->normal_in_eye_space][PLAN_NUMBERS(plan)->normal_scaling];
 
     load_normals(plan, b, first, n, work);
-    if (kernel)
-        kernel(plan, work, n);
+    kernel(plan, work, n);
 }
 
 /* Lights one face into color[face] and secondary[face]. trace: NULL but for fgl_vertex_trace. */
@@ -159,28 +159,30 @@ static void run_colors(struct vertex_batch *b, int first, int n)
         clamp_lane(b->in[ATTR_COLOR].c[c] + first, b->color[0].c[c] + first, n);
 }
 
-static void run_chunk(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n, bool general,
-                      struct vertex_trace *trace)
+/* Returns whether a vertex is extreme. */
+static bool gather_extremes(struct vertex_work *work, struct vertex_batch *b, int first, int n)
+{
+    uint32_t any = 0;
+
+    for (int i = 0; i < n; i++)
+        any |= b->extreme[first + i] = work->extreme[i];
+    return any != 0;
+}
+
+/* n: whole groups; count: those that are vertices. */
+static bool run_lighting(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n, int count,
+                         bool general, struct vertex_trace *trace)
 {
     struct vertex_work work;
 
-    n = whole_groups(n + VERTEX_GROUP - 1);
-    run_positions(plan, b, first, n);
-    if (plan->need_fog_z)
-        eye_distance(plan, b, first, n, b->fog_z);
-    if (plan->need_point_size)
-        point_sizes(plan, b, first, n);
-    if (plan->color_is_varying)
-        run_colors(b, first, n);
-    if (trace) {
+    if (!R_EXACT)
+        memset(work.extreme, 0, sizeof work.extreme);
+    if (plan->need_eye || trace)
         transform_eye(plan, b, first, n, &work);
+    if (trace)
         note3(trace->eye, work.eye);
-    }
-    if (!plan->lighting)
-        return;
-
-    if (plan->need_eye)
-        transform_eye(plan, b, first, n, &work);
+    if (plan->need_eye && !R_EXACT)
+        check_eye(plan, b, first, n, &work);
     if (plan->need_eye && plan->light.local_viewer)
         normalize_view(&work, n);
     if (plan->need_normal)
@@ -189,18 +191,52 @@ static void run_chunk(const struct vertex_plan *plan, struct vertex_batch *b, in
         note3(trace->normal, work.normal);
     for (int face = 0; face <= plan->light.two_sided; face++)
         run_face(plan, b, first, n, face, &work, general, trace ? &trace->face[face] : NULL);
+    return !R_EXACT && gather_extremes(&work, b, first, count);
 }
 
-static void run(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n, bool general)
+static void trace_eye(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n,
+                      struct vertex_trace *trace)
 {
-    run_chunk(plan, b, first, n, general, NULL);
+    struct vertex_work work;
+
+    transform_eye(plan, b, first, n, &work);
+    note3(trace->eye, work.eye);
 }
 
-static void trace_vertex(const struct vertex_plan *plan, struct vertex_batch *b, struct vertex_trace *trace)
+static bool run_chunk(const struct vertex_plan *plan, struct vertex_batch *b, int first, int count, bool general,
+                      struct vertex_trace *trace)
 {
-    run_chunk(plan, b, 0, 1, true, trace);
+    const int n = whole_groups(count + VERTEX_GROUP - 1);
+
+    run_positions(plan, b, first, n);
+    if (plan->need_fog_z)
+        eye_distance(plan, b, first, n, b->fog_z);
+    if (plan->need_point_size)
+        point_sizes(plan, b, first, n);
+    if (plan->color_is_varying)
+        run_colors(b, first, n);
+    if (plan->lighting)
+        return run_lighting(plan, b, first, n, count, general, trace);
+    if (trace)
+        trace_eye(plan, b, first, n, trace);
+    return false;
+}
+
+static bool run(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n, bool general)
+{
+    return run_chunk(plan, b, first, n, general, NULL);
+}
+
+static void light(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n, bool general)
+{
+    (void)run_lighting(plan, b, first, whole_groups(n + VERTEX_GROUP - 1), n, general, NULL);
+}
+
+static bool trace_vertex(const struct vertex_plan *plan, struct vertex_batch *b, struct vertex_trace *trace)
+{
+    return run_chunk(plan, b, 0, 1, true, trace);
 }
 
 extern const struct vertex_kernels KERNELS(FGL_ISA, FGL_ARITH);
 const struct vertex_kernels KERNELS(FGL_ISA, FGL_ARITH) = {
-        .isa = ISA_STRING(FGL_ISA), .run = run, .trace = trace_vertex};
+        .isa = ISA_STRING(FGL_ISA), .run = run, .light = light, .trace = trace_vertex};

@@ -46,6 +46,21 @@ static FGL_ALWAYS_INLINE struct real3 term3(struct real3 v)
     return r_vec3(r_term(v.x), r_term(v.y), r_term(v.z));
 }
 
+/* The half vector: the unit vector of a + b, a and b unit vectors. It is normal to a - b: where a + b is small, that
+ * removes what the rounding of their lengths left. OSMesa rule: not done. */
+static FGL_ALWAYS_INLINE struct real3 half_vector(struct real3 a, struct real3 b, uint32_t *extreme)
+{
+    struct real3 sum = r_add3(a, b);
+
+    if (R_EXACT) {
+        struct real3 d = r_scale3(r_sub3(a, b), (real)0.5);
+        sum = r_sub3(sum, r_scale3(d, r_dot3(sum, d)));
+    } else {
+        *extreme |= outside(r_dot3(sum, sum), SAFE_HALF_SQUARE, SAFE_SQUARE_GREATEST);
+    }
+    return r_normalize3(sum);
+}
+
 /* Notes a term of vertex 0 where terms are asked for. In kernels that draw, `terms` is the constant NULL and
  * this is nothing. */
 #define NOTE(field, value)                                                                                   \
@@ -81,11 +96,13 @@ static FGL_ALWAYS_INLINE void add_light(const light_numbers *FGL_RESTRICT L,
         struct real3 normal = load3(work->normal, i);
         struct real3 VP = direction;
         real att = 1, f_spec = 0;
+        uint32_t extreme = 0;
 
         if (positional) {
             struct real3 to_light = r_sub3(position, load3(work->eye, i));
             real square = r_dot3(to_light, to_light), inverse = r_rsqrt(square);
             VP = r_scale3(to_light, inverse);
+            extreme |= outside(square, work->least[i], SAFE_SQUARE_GREATEST);
             NOTE(distance, r_sqrt(square));
             if (attenuated) {
                 real d = r_sqrt(square);
@@ -98,6 +115,7 @@ static FGL_ALWAYS_INLINE void add_light(const light_numbers *FGL_RESTRICT L,
             real cosine = -r_dot3(VP, axis);
             real spot = r_select(in_cone(cosine, L->cos_cutoff), r_pow(cosine, L->spot_exponent), 0);
             att = attenuated ? att * spot : spot;
+            extreme |= (uint32_t)(r_abs(cosine - L->cos_cutoff) < CONE_EDGE);
             NOTE(spot_cosine, cosine);
             NOTE(spot, spot);
         }
@@ -109,9 +127,9 @@ static FGL_ALWAYS_INLINE void add_light(const light_numbers *FGL_RESTRICT L,
         if (specular) {
             struct real3 h = vec3_of(L->half);
             if (local_viewer)
-                h = r_half3(VP, r_scale3(load3(work->view, i), -1));
+                h = half_vector(VP, r_scale3(load3(work->view, i), -1), &extreme);
             else if (positional)
-                h = r_half3(VP, toward_eye);
+                h = half_vector(VP, toward_eye, &extreme);
             real n_dot_h = side * r_dot3(normal, h);
             real shininess = varying ? work->shininess[i] : (real)plan->shininess[face];
             if (zero && !R_EXACT) /* OSMesa rule: no material has a highlight, and then h is not looked at */
@@ -146,6 +164,8 @@ static FGL_ALWAYS_INLINE void add_light(const light_numbers *FGL_RESTRICT L,
                 c = r_add3(s, c);
         }
         store3(work->color, i, c);
+        if (!R_EXACT && (positional || spotted || local_viewer))
+            work->extreme[i] |= extreme;
     }
 }
 #undef NOTE

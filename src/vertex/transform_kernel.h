@@ -61,6 +61,32 @@ static FGL_ALWAYS_INLINE void transform_eye(const struct vertex_plan *FGL_RESTRI
     }
 }
 
+/* Marks vertices whose eye coordinates float cannot light: w is not positive, or they are near the viewer where that
+ * matters. OSMesa rule: other w are taken for 1. Their rounding is some 2^-23 of the greatest term in their sums, so distances of 2^-7 of that
+ * are wrong by 2^-16. */
+static FGL_ALWAYS_INLINE void check_eye(const struct vertex_plan *FGL_RESTRICT plan,
+                                        struct vertex_batch *FGL_RESTRICT b, int first, int n,
+                                        struct vertex_work *FGL_RESTRICT work)
+{
+    const real *m = PLAN_NUMBERS(plan)->modelview;
+    const bool local_viewer = plan->light.local_viewer;
+    const real nearest = (real)0x1p-7;
+    real greatest = 0;
+
+    for (int k = 0; k < 12; k++)
+        greatest = r_max(greatest, k % 4 == 3 ? 0 : r_abs(m[k]));
+    const real offset = r_max(r_max(r_abs(m[12]), r_abs(m[13])), r_abs(m[14]));
+    for (int i = 0, end = whole_groups(n); i < end; i++) {
+        struct real4 p = load_position(b, first + i);
+        struct real3 eye = load3(work->eye, i);
+        real distance = nearest * (greatest * (r_abs(p.x) + r_abs(p.y) + r_abs(p.z)) + offset);
+        real square = local_viewer ? r_dot3(eye, eye) : 1;
+        work->least[i] = r_max(distance * distance, SAFE_SQUARE_LEAST);
+        work->extreme[i] |= (uint32_t)!(r_row4(p, m + 3) > 0);
+        work->extreme[i] |= local_viewer ? outside(square, work->least[i], SAFE_SQUARE_GREATEST) : 0u;
+    }
+}
+
 static FGL_ALWAYS_INLINE void normalize_view(struct vertex_work *FGL_RESTRICT work, int n)
 {
     for (int i = 0, end = whole_groups(n); i < end; i++)
@@ -93,6 +119,9 @@ static FGL_ALWAYS_INLINE void transform_normals(const struct vertex_plan *FGL_RE
         struct real3 v = load3(work->normal, i);
         if (to_eye)
             v = r_vec3(r_row3(v, m[0]), r_row3(v, m[1]), r_row3(v, m[2]));
+        if (!R_EXACT)
+            work->extreme[i] |= outside(r_dot3(v, v), scaling == NORMAL_NORMALIZE ? SAFE_SQUARE_LEAST : 0,
+                                        SAFE_SQUARE_GREATEST);
         if (scaling == NORMAL_NORMALIZE)
             v = r_normalize3(v);
         if (scaling == NORMAL_RESCALE)

@@ -57,8 +57,7 @@ static void derive_point_size(struct vertex_plan *plan, const struct point_state
 static void validate_lighting(struct vertex_plan *plan, struct context *ctx)
 {
     fgl_light_validate(plan, ctx);
-    if (plan->accuracy == FIXEDGL_EXACT)
-        fgl_exact_light_validate(plan, ctx);
+    fgl_exact_light_validate(plan, ctx);
 }
 
 void fgl_vertex_validate(struct vertex_plan *plan, struct context *ctx, uint32_t varying,
@@ -74,7 +73,10 @@ void fgl_vertex_validate(struct vertex_plan *plan, struct context *ctx, uint32_t
     if (dirty & (DIRTY_MODELVIEW | DIRTY_PROJECTION))
         fgl_exact_product(plan->exact.mvp, projection->exact, modelview->exact);
     if (dirty & DIRTY_MODELVIEW) {
-        memcpy(plan->exact.modelview, modelview->exact, sizeof plan->exact.modelview);
+        if (plan->accuracy == FIXEDGL_EXACT)
+            memcpy(plan->exact.modelview, modelview->exact, sizeof plan->exact.modelview);
+        else
+            fgl_exact_load(plan->exact.modelview, modelview->m);
         (void)fgl_matrix_class(modelview); /* a use: the class is found now, not after later commands */
         memcpy(plan->modelview, modelview->m, sizeof plan->modelview);
     }
@@ -96,13 +98,38 @@ void fgl_vertex_validate(struct vertex_plan *plan, struct context *ctx, uint32_t
         validate_lighting(plan, ctx);
 }
 
+/* Lights again, in double, the chunk's vertices that are extreme. */
+static void light_extremes(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n, bool general)
+{
+    float kept[4][4][VERTEX_CHUNK];
+    struct lanes4 *const out[4] = {&b->color[0], &b->color[1], &b->secondary[0], &b->secondary[1]};
+
+    for (int k = 0; k < 4; k++)
+        for (int c = 0; c < 4; c++)
+            memcpy(kept[k][c], out[k]->c[c] + first, (size_t)n * sizeof(float));
+    fgl_vertex_kernels(FIXEDGL_EXACT)->light(plan, b, first, n, general);
+    for (int k = 0; k < 4 && !plan->exact.needed; k++)
+        for (int c = 0; c < 4; c++)
+            for (int i = 0; i < n; i++)
+                if (!b->extreme[first + i])
+                    out[k]->c[c][first + i] = kept[k][c][i];
+}
+
+static void run_chunk(const struct vertex_kernels *kernels, const struct vertex_plan *plan, struct vertex_batch *b,
+                      int first, int n, bool general)
+{
+    const bool extreme = kernels->run(plan, b, first, n, general);
+    if (FGL_UNLIKELY(extreme || (plan->exact.needed && plan->lighting)))
+        light_extremes(plan, b, first, n, general);
+}
+
 void fgl_vertex_run(const struct vertex_plan *plan, struct vertex_batch *batch, bool general)
 {
     const struct vertex_kernels *kernels = fgl_vertex_kernels(plan->accuracy);
     uint32_t any = 0, all = ~(uint32_t)0;
 
     for (int first = 0; first < batch->n; first += VERTEX_CHUNK)
-        kernels->run(plan, batch, first, fgl_min(batch->n - first, VERTEX_CHUNK), general);
+        run_chunk(kernels, plan, batch, first, fgl_min(batch->n - first, VERTEX_CHUNK), general);
     for (int i = 0; i < batch->n; i++) {
         any |= batch->outcode[i];
         all &= batch->outcode[i];
@@ -113,7 +140,8 @@ void fgl_vertex_run(const struct vertex_plan *plan, struct vertex_batch *batch, 
 
 void fgl_vertex_trace(const struct vertex_plan *plan, struct vertex_batch *batch, struct vertex_trace *trace)
 {
-    fgl_vertex_kernels(plan->accuracy)->trace(plan, batch, trace);
+    if (fgl_vertex_kernels(plan->accuracy)->trace(plan, batch, trace) || (plan->exact.needed && plan->lighting))
+        (void)fgl_vertex_kernels(FIXEDGL_EXACT)->trace(plan, batch, trace);
 }
 
 /* The kernels of each set that the build has, by mode. */

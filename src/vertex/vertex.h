@@ -67,11 +67,13 @@ struct exact_light {
     double color[COLOR_COUNT][3], product[2][COLOR_COUNT][3];
 };
 
-/* What the kernels of FIXEDGL_EXACT read in place of the floats: never made of them. */
+/* What the kernels of FIXEDGL_EXACT read in place of the floats: made of the state's doubles. In FIXEDGL_COMPATIBLE,
+ * where they light the vertices that float cannot, it is made of the state's floats. */
 struct exact_plan {
     double mvp[16], modelview[16];
     double normal_matrix[3][3], rescale_factor;
     enum normal_scaling normal_scaling;
+    bool needed; /* FIXEDGL_COMPATIBLE: no vertex can be lit in float */
     double base[2][3];
     struct exact_light light[FGL_MAX_LIGHTS]; /* as lighting_plan.light */
 };
@@ -145,8 +147,10 @@ void fgl_vertex_trace(const struct vertex_plan *plan, struct vertex_batch *batch
 enum { VERTEX_CHUNK = 256 };
 struct vertex_kernels {
     const char *isa;
-    void (*run)(const struct vertex_plan *plan, struct vertex_batch *batch, int first, int n, bool general);
-    void (*trace)(const struct vertex_plan *plan, struct vertex_batch *batch, struct vertex_trace *trace);
+    /* run, trace: true if batch->extreme is not 0 for a vertex. */
+    bool (*run)(const struct vertex_plan *plan, struct vertex_batch *batch, int first, int n, bool general);
+    void (*light)(const struct vertex_plan *plan, struct vertex_batch *batch, int first, int n, bool general);
+    bool (*trace)(const struct vertex_plan *plan, struct vertex_batch *batch, struct vertex_trace *trace);
 };
 
 /* The kernels that fgl_vertex_run uses for a mode (FIXEDGL_COMPATIBLE, ...); and those of one set and mode, or NULL

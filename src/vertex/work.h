@@ -37,7 +37,23 @@ struct vertex_work {
     real material[COLOR_COUNT][3]
                  [VERTEX_CHUNK]; /* of the face being lit, when the material differs by vertex */
     real shininess[VERTEX_CHUNK];
+    real least[VERTEX_CHUNK];       /* distances whose squares are below it are lost in the rounding of eye */
+    uint32_t extreme[VERTEX_CHUNK]; /* not 0: the vertex left the range where float is safe. Not if R_EXACT */
 };
+
+/* The range of squares of lengths in which float neither overflows nor loses bits. */
+#define SAFE_SQUARE_LEAST ((real)1e-30)
+#define SAFE_SQUARE_GREATEST ((real)1e30)
+/* Half vectors shorter than the root of this have lost their direction in float. */
+#define SAFE_HALF_SQUARE ((real)1e-4)
+/* Cosines this near to a cone's edge may be on either side of it in float. */
+#define CONE_EDGE ((real)5e-7)
+
+/* NaN is outside. */
+static FGL_ALWAYS_INLINE uint32_t outside(real x, real least, real greatest)
+{
+    return (uint32_t)!(x >= least) | (uint32_t)!(x <= greatest);
+}
 
 /* Read through pointers without const: GCC 12 does not vectorise over arrays of arrays of const. */
 static FGL_ALWAYS_INLINE struct real3 load3(real a[3][VERTEX_CHUNK], int i)

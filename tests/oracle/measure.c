@@ -61,7 +61,7 @@ static void compare_scene(struct tally *tally, const struct oracle_scene *scene,
     oracle_draw(scene, rgba);
     for (int i = 0; i < scene->count; i++) {
         const struct oracle_color truth = oracle_shade(&scene->state, &scene->vertex[i]);
-        if (truth.to_cone_edge < (quad)margin || truth.to_horizon < (quad)margin) {
+        if (truth.to_horizon < (quad)margin) {
             tally->error.at_edge += 4;
             continue;
         }

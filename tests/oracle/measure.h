@@ -23,7 +23,7 @@ struct oracle_error {
 };
 
 /* Draws so many scenes of the category and compares. Scene number i of a category is the same for the same
- * seed. margin: vertices are left out whose cosine is within it of a cone's edge or of the horizon. */
+ * seed. margin: vertices are left out whose cosine is within it of the horizon. */
 struct oracle_error oracle_measure(int category, uint64_t seed, int scenes, double margin);
 
 #endif
