@@ -279,12 +279,27 @@ static void empty_format(struct context *ctx, struct immediate *im)
     im->pending = im->stored = false;
 }
 
+/* While compiling, before the format grows: primitives that have ended are recorded in the format that they have. OSMesa rule. */
+static void record_ended(struct context *ctx, struct immediate *im)
+{
+    struct immediate_prim open = im->prim[im->prim_count - 1];
+    const GLenum mode = im->mode;
+    im->prim_count--;
+    im->mode = OUTSIDE_BEGIN_END;
+    fgl_immediate_flush(ctx, im);
+    im->mode = mode;
+    open.first = 0;
+    im->prim[im->prim_count++] = open;
+}
+
 /* Gives `attr` room for `size` floats in the format. */
 static FGL_NOINLINE void upgrade(struct context *ctx, struct immediate *im, enum fgl_attr attr, int size)
 {
     const int drawn = im->count;
     const bool is_new = im->format.size[attr] == 0;
     bool keep = im->compiling;
+    if (keep && im->count && im->prim_count && im->prim[im->prim_count - 1].first == im->count)
+        record_ended(ctx, im);
     while (keep && (im->count + 2) * (im->format.floats + size) > im->capacity)
         keep = grow(ctx, im);
     if (im->count && !keep)
