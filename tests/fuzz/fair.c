@@ -70,7 +70,7 @@ static bool fair_outside(const struct script *s, int i, bool in_list)
 bool script_is_fair(const struct script *s)
 {
     struct primitive p = {0};
-    bool in_list = false, executed = false;
+    bool in_list = false, executed = false, arrays = false;
     int pushed = 0;
     for (int i = 0; i < s->ops; i++) {
         const int command = s->op[i].command;
@@ -81,9 +81,15 @@ bool script_is_fair(const struct script *s)
         pushed += (command == CMD_PushAttrib) - (command == CMD_PopAttrib);
         if (pushed > 1 || (command == CMD_PopAttrib && !fair_pop(s, i)))
             return false;
+        if (command == CMD_InterleavedArrays || command == CMD_EnableClientState || command == CMD_DisableClientState) {
+            if (command == CMD_InterleavedArrays || s->value[s->op[i].first] == GL_VERTEX_ARRAY)
+                arrays = command != CMD_DisableClientState;
+        }
+        if ((command == CMD_DrawArrays || command == CMD_DrawElements) && !arrays)
+            return false;
         if (command == CMD_Begin) {
             const int mode = (int)s->value[s->op[i].first];
-            p = (struct primitive){true, in_list || mode == GL_LINE_LOOP, in_list, true, mode, 0, 0};
+            p = (struct primitive){true, in_list || mode == GL_LINE_LOOP || mode == GL_LINE_STRIP, in_list, true, mode, 0, 0};
         } else if (command == CMD_End) {
             if (!fair_end(&p) || (in_list && attribute_of(s->op[i - 1].command)))
                 return false;

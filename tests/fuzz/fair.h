@@ -10,6 +10,7 @@
  *   - in a list: a primitive that is not complete;
  *   - in a list: an attribute after the last vertex of a primitive;
  *   - in a list: an attribute outside Begin and End or, if it is executed, inside;
+ *   - a draw from arrays while there is no vertex array;
  *   - a call of a list without glGetFloatv (of the current color) just before it;
  *   - PushAttrib within another, or PopAttrib with nothing drawn just before it, or without a color after it.
  * Only such scripts are kept when a differing one is shortened, lest it turn into one of these. */

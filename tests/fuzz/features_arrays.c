@@ -2,6 +2,7 @@
 #include "generator.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 static const double integer_types[] = {GL_SHORT, GL_INT};
 static const double color_types[] = {GL_FLOAT, GL_DOUBLE, GL_UNSIGNED_BYTE, GL_BYTE, GL_UNSIGNED_SHORT, GL_SHORT, GL_UNSIGNED_INT, GL_INT};
@@ -77,25 +78,34 @@ static void emit_edge_flag_array(struct generator *g)
     EMIT(g, EnableClientState, GL_EDGE_FLAG_ARRAY);
 }
 
+static void disable_arrays(struct generator *g, int percent)
+{
+    static const double arrays[] = {GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_NORMAL_ARRAY, GL_EDGE_FLAG_ARRAY, GL_TEXTURE_COORD_ARRAY};
+    for (int i = 0; i < 5; i++) {
+        if (chance(g, percent))
+            EMIT(g, DisableClientState, arrays[i]);
+    }
+}
+
 static void emit_arrays(struct generator *g)
 {
     emit_vertex_array(g);
+    g->arrays_set = true;
     if (chance(g, 65))
         emit_color_array(g);
     if (chance(g, 40))
         emit_normal_array(g);
     if (chance(g, 10) && g->enabled[FEATURE_edge_flag])
         emit_edge_flag_array(g);
-    g->arrays_set = true;
 }
 
-static void emit_disables(struct generator *g)
+/* Stippled lines not as strips, see random_mode: here the vertices are there already. */
+static int array_mode(struct generator *g)
 {
-    static const double arrays[] = {GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_NORMAL_ARRAY, GL_EDGE_FLAG_ARRAY, GL_TEXTURE_COORD_ARRAY};
-    for (int i = 0; i < 5; i++) {
-        if (chance(g, 60))
-            EMIT(g, DisableClientState, arrays[i]);
-    }
+    const int mode = random_mode(g);
+    const bool contained = g->contained;
+    g->contained = false;
+    return contained ? GL_LINES : mode;
 }
 
 static void emit_draw_arrays(struct generator *g)
@@ -103,13 +113,13 @@ static void emit_draw_arrays(struct generator *g)
     const int first = below(g, 8);
     if (chance(g, 40))
         emit_color(g);
-    const int mode = random_mode(g), count = integer(g, 1, ARRAY_VERTICES - first - 2);
+    const int mode = array_mode(g), count = integer(g, 1, ARRAY_VERTICES - first - 2);
     EMIT(g, DrawArrays, mode, first, vertex_count(g, mode, count));
 }
 
 static void emit_draw_elements(struct generator *g)
 {
-    const int mode = random_mode(g), count = vertex_count(g, mode, integer(g, 1, 24));
+    const int mode = array_mode(g), count = vertex_count(g, mode, integer(g, 1, 24));
     EMIT(g, DrawElements, mode, count, ONE_OF(g, GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT));
     for (int i = 0; i < count; i++) {
         const double index = below(g, ARRAY_VERTICES);
@@ -119,20 +129,24 @@ static void emit_draw_elements(struct generator *g)
 
 void feature_draw_arrays(struct generator *g)
 {
+    if (g->compiling)
+        return;
     emit_arrays(g);
     for (int n = integer(g, 1, 3); n > 0; n--)
         emit_draw_arrays(g);
     if (chance(g, 70))
-        emit_disables(g);
+        disable_arrays(g, 60);
 }
 
 void feature_draw_elements(struct generator *g)
 {
+    if (g->compiling)
+        return;
     emit_arrays(g);
     for (int n = integer(g, 1, 3); n > 0; n--)
         emit_draw_elements(g);
     if (chance(g, 70))
-        emit_disables(g);
+        disable_arrays(g, 60);
 }
 
 void feature_interleaved_arrays(struct generator *g)
@@ -141,7 +155,13 @@ void feature_interleaved_arrays(struct generator *g)
     static const signed char counts[14][4] = {
             {0, 0, 0, 2}, {0, 0, 0, 3}, {0, -4, 0, 2}, {0, -4, 0, 3}, {0, 3, 0, 3}, {0, 0, 3, 3}, {0, 4, 3, 3},
             {2, 0, 0, 3}, {4, 0, 0, 4}, {2, -4, 0, 3}, {2, 3, 0, 3}, {2, 0, 3, 3}, {2, 4, 3, 3}, {4, 4, 3, 4}};
-    const int format = below(g, 14), colors = counts[format][1];
+    if (g->compiling)
+        return;
+    int format;
+    do
+        format = below(g, 14);
+    while (counts[format][1] && abs(counts[format][1]) != g->color_size);
+    const int colors = counts[format][1];
     EMIT(g, InterleavedArrays, GL_V2F + format, chance(g, 70) ? 0 : 64 + 4 * below(g, 5));
     for (int i = 0; i < ARRAY_VERTICES; i++) {
         double coords[4] = {real(g, -1.0, 1.0), real(g, -1.0, 1.0), 0.0, 1.0}, color[4], normal[3], position[4];
@@ -162,7 +182,30 @@ void feature_interleaved_arrays(struct generator *g)
         else
             emit_draw_elements(g);
     }
-    emit_disables(g);
+    disable_arrays(g, 60);
+}
+
+/* In lists only here: after a draw from arrays in a list OSMesa's current colors, which GL leaves undefined, are not those that
+ * the list has set. So they are set again after it. */
+void feature_list_of_arrays(struct generator *g)
+{
+    if (g->compiling)
+        return;
+    emit_arrays(g);
+    EMIT(g, NewList, LIST_OF_ARRAYS, GL_COMPILE);
+    g->compiling = true;
+    if (chance(g, 50))
+        emit_draw_arrays(g);
+    else
+        emit_draw_elements(g);
+    g->compiling = false;
+    EMIT0(g, EndList);
+    if (chance(g, 50))
+        disable_arrays(g, 100);
+    EMIT(g, GetFloatv, GL_CURRENT_COLOR);
+    EMIT(g, CallList, LIST_OF_ARRAYS);
+    emit_color(g);
+    emit_normal(g);
 }
 
 void feature_array_element(struct generator *g)
@@ -173,10 +216,15 @@ void feature_array_element(struct generator *g)
 
 void feature_client_attrib_stack(struct generator *g)
 {
+    if (g->compiling)
+        return;
+    const bool had_arrays = g->arrays_set;
     EMIT(g, PushClientAttrib, ONE_OF(g, GL_CLIENT_VERTEX_ARRAY_BIT, GL_CLIENT_PIXEL_STORE_BIT, GL_CLIENT_ALL_ATTRIB_BITS));
     emit_arrays(g);
     emit_draw_arrays(g);
     EMIT0(g, PopClientAttrib);
-    if (chance(g, 50))
+    if (had_arrays) {
+        EMIT(g, EnableClientState, GL_VERTEX_ARRAY);
         emit_draw_arrays(g);
+    }
 }

@@ -121,11 +121,19 @@ int vertex_count(struct generator *g, int mode, int count)
     return count < least[mode] ? least[mode] : count - count % step[mode];
 }
 
-/* No strips of triangles in lists with polygon modes: OSMesa joins neighbours, which shows in their edges. */
+/* OSMesa joins the strips of a list to each other and takes them apart, which shows in their edges and in their stipple. And it goes on
+ * with the stipple of the primitive before where the first line of a strip is clipped away. */
 int random_mode(struct generator *g)
 {
     const int mode = below(g, 10);
-    return mode == GL_TRIANGLE_STRIP && g->compiling && g->enabled[FEATURE_polygon_mode] ? GL_TRIANGLE_FAN : mode;
+    if (mode == GL_TRIANGLE_STRIP && g->compiling && g->enabled[FEATURE_polygon_mode])
+        return GL_TRIANGLE_FAN;
+    const bool may_clip = g->space == EYE_SPACE || g->used[FEATURE_matrix] || g->used[FEATURE_matrix_stack] || g->used[FEATURE_clip_plane];
+    const bool line_strip = mode == GL_LINE_STRIP || mode == GL_LINE_LOOP, stippled = line_strip && g->used[FEATURE_line_stipple];
+    g->contained = stippled && !may_clip && !g->compiling;
+    if (mode == GL_LINE_LOOP && g->compiling)
+        return GL_LINES; /* OSMesa does not close some */
+    return stippled && !g->contained ? GL_LINES : mode;
 }
 
 /* At least one vertex: OSMesa loses what follows an empty primitive of the same mode. */
@@ -139,9 +147,10 @@ void feature_immediate(struct generator *g)
     if (chance(g, 25))
         emit_normal(g);
     EMIT(g, Begin, mode);
-    g->steady = g->compiling || mode == GL_LINE_LOOP;
+    g->steady = g->compiling || mode == GL_LINE_LOOP || (mode == GL_LINE_STRIP && g->used[FEATURE_line_stipple]);
     g->edge_flags = mode == GL_TRIANGLES || mode == GL_QUADS || mode == GL_POLYGON;
     emit_vertices(g, vertex_count(g, mode, count));
+    g->contained = false;
     EMIT0(g, End);
     if (g->edge_flags && g->used[FEATURE_edge_flag] && !g->compiling)
         EMIT(g, EdgeFlag, GL_TRUE);
@@ -151,6 +160,8 @@ void feature_immediate(struct generator *g)
 void feature_rect(struct generator *g)
 {
     double a[4], b[4];
+    if (g->executing)
+        return; /* its vertices have another size than those of primitives */
     random_position(g, a);
     random_position(g, b);
     if (chance(g, 60))

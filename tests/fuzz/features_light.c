@@ -106,8 +106,11 @@ static void emit_material(struct generator *g)
         EMIT(g, Materialfv, face, pname, c[0], c[1], c[2], c[3]);
 }
 
+/* Not in a list that is executed, too: OSMesa draws what is before it with it. */
 void feature_material(struct generator *g)
 {
+    if (g->executing)
+        return;
     for (int n = integer(g, 1, 3); n > 0; n--)
         emit_material(g);
 }

@@ -88,8 +88,8 @@ void feature_call_lists(struct generator *g)
                                    GL_2_BYTES, GL_3_BYTES, GL_4_BYTES};
     while (g->lists < 2 && !g->compiling && g->depth < MAX_DEPTH)
         new_list(g, false);
-    if (g->lists == 0)
-        return;
+    if (g->lists == 0 || g->compiling)
+        return; /* whether the base may change while several lists are called is left open */
     const int base = chance(g, 50) ? 0 : FIRST_LIST - below(g, 20), count = integer(g, 1, 4);
     EMIT(g, ListBase, base);
     notice_color(g);
@@ -115,7 +115,8 @@ void feature_attrib_stack(struct generator *g)
                                    GL_FOG_BIT, GL_DEPTH_BUFFER_BIT, GL_STENCIL_BUFFER_BIT, GL_VIEWPORT_BIT, GL_TRANSFORM_BIT, GL_ENABLE_BIT,
                                    GL_COLOR_BUFFER_BIT, GL_HINT_BIT, GL_LIST_BIT, GL_SCISSOR_BIT};
     const double mask = chance(g, 40) ? (double)GL_ALL_ATTRIB_BITS : chance(g, 50) ? one_of(g, 16, masks) : below(g, 0x100000);
-    EMIT(g, PushAttrib, mask);
+    /* OSMesa does not bring clip planes back rightly. */
+    EMIT(g, PushAttrib, (double)((unsigned)mask & ~(g->enabled[FEATURE_clip_plane] ? (unsigned)GL_TRANSFORM_BIT : 0u)));
     g->pushed = true;
     emit_body(g);
     g->pushed = false;

@@ -4,7 +4,7 @@
 void feature_errors(struct generator *g)
 {
     switch (below(g, 16)) {
-    case 0: EMIT(g, Begin, 10); EMIT0(g, End); break;
+    case 0: EMIT(g, PolygonMode, GL_FRONT, GL_TRIANGLES); break;
     case 1: EMIT(g, Enable, GL_TRIANGLES + 0x9999); break;
     case 2: EMIT(g, LineWidth, ONE_OF(g, 0, -1)); break;
     case 3: EMIT(g, PointSize, ONE_OF(g, 0, -2)); break;
@@ -16,7 +16,7 @@ void feature_errors(struct generator *g)
     case 9: EMIT(g, Ortho, 1, 1, -1, 1, -1, 1); break;
     case 10: EMIT(g, Clear, 1 << 20); break;
     case 11: EMIT(g, Scissor, 0, 0, 5, -1); break;
-    case 12: EMIT(g, DrawArrays, ONE_OF(g, 0, 99), 0, -1); break;
+    case 12: EMIT(g, DrawArrays, GL_POINTS, 0, -1); break;
     case 13: EMIT(g, BlendFunc, GL_FRONT, GL_ONE); break;
     case 14: EMIT(g, CallList, 9999); break;
     default: EMIT(g, ShadeModel, GL_LINE);
@@ -39,14 +39,18 @@ void feature_read_pixels(struct generator *g)
     const int width = g->script->width, height = g->script->height, x = below(g, width), y = below(g, height);
     const double format = ONE_OF(g, GL_RGBA, GL_RGBA, GL_RGB, GL_BGRA, GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA, GL_LUMINANCE,
                                  GL_LUMINANCE_ALPHA, GL_DEPTH_COMPONENT, GL_STENCIL_INDEX);
-    EMIT(g, ReadPixels, x, y, integer(g, 1, width - x), integer(g, 1, height - y), format,
-         ONE_OF(g, GL_UNSIGNED_BYTE, GL_UNSIGNED_BYTE, GL_BYTE, GL_UNSIGNED_SHORT, GL_SHORT, GL_UNSIGNED_INT, GL_INT, GL_FLOAT));
+    /* Luminance is a sum, which as an integer overflows in OSMesa. */
+    const double type = format == GL_LUMINANCE || format == GL_LUMINANCE_ALPHA
+                                ? ONE_OF(g, GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT)
+                                : ONE_OF(g, GL_UNSIGNED_BYTE, GL_UNSIGNED_BYTE, GL_BYTE, GL_UNSIGNED_SHORT, GL_SHORT,
+                                         GL_UNSIGNED_INT, GL_INT, GL_FLOAT);
+    EMIT(g, ReadPixels, x, y, integer(g, 1, width - x), integer(g, 1, height - y), format, type);
 }
 
 void feature_get(struct generator *g)
 {
-    static const double names[] = {
-            GL_MODELVIEW_MATRIX, GL_PROJECTION_MATRIX, GL_TEXTURE_MATRIX, GL_CURRENT_COLOR, GL_CURRENT_NORMAL, GL_CURRENT_TEXTURE_COORDS,
+    static const double names[] = { /* the first not as integers: OSMesa takes the elements of matrices for colors */
+            GL_MODELVIEW_MATRIX, GL_PROJECTION_MATRIX, GL_TEXTURE_MATRIX, GL_CURRENT_NORMAL, GL_CURRENT_COLOR, GL_CURRENT_TEXTURE_COORDS,
             GL_EDGE_FLAG, GL_VIEWPORT, GL_DEPTH_RANGE, GL_FOG_COLOR, GL_FOG_DENSITY, GL_FOG_MODE, GL_LIGHT_MODEL_AMBIENT, GL_POINT_SIZE,
             GL_LINE_WIDTH, GL_LINE_STIPPLE_PATTERN, GL_LINE_STIPPLE_REPEAT, GL_POLYGON_MODE, GL_CULL_FACE_MODE, GL_FRONT_FACE,
             GL_SCISSOR_BOX, GL_ALPHA_TEST_REF, GL_STENCIL_REF, GL_STENCIL_VALUE_MASK, GL_STENCIL_WRITEMASK, GL_BLEND_SRC, GL_BLEND_DST,
@@ -56,7 +60,7 @@ void feature_get(struct generator *g)
     const double name = one_of(g, (int)(sizeof names / sizeof names[0]), names);
     switch (below(g, 8)) {
     case 0: case 1: EMIT(g, GetFloatv, name); break;
-    case 2: EMIT(g, GetIntegerv, name); break;
+    case 2: EMIT(g, GetIntegerv, one_of(g, (int)(sizeof names / sizeof names[0]) - 4, names + 4)); break;
     case 3: EMIT(g, GetDoublev, name); break;
     case 4: EMIT(g, GetBooleanv, name); break;
     case 5:

@@ -132,7 +132,7 @@ void random_normal(struct generator *g, double normal[3])
 
 void random_position(struct generator *g, double position[4])
 {
-    const double width = g->script->width, height = g->script->height, far_out = chance(g, 6) ? 2.0 : 1.0;
+    const double width = g->script->width, height = g->script->height, far_out = g->contained ? 0.9 : chance(g, 6) ? 2.0 : 1.0;
     double low[3] = {-1.05 * far_out, -1.05 * far_out, -far_out}, high[3] = {-low[0], -low[1], far_out};
     if (g->space == PIXEL_SPACE) {
         low[0] = width * (0.5 - 0.52 * far_out), high[0] = width - low[0];
@@ -202,7 +202,7 @@ void generate(struct generator *g, struct script *script, uint64_t seed)
     g->color_size = integer(g, 3, 4);
     g->tex_coord_size = integer(g, 1, 4);
     g->depth = 0;
-    g->compiling = g->executing = g->inside = g->pushed = g->edge_flags = g->steady = g->arrays_set = false;
+    g->compiling = g->contained = g->executing = g->inside = g->pushed = g->edge_flags = g->steady = g->arrays_set = false;
     g->vertex_lists = g->lists = 0;
     script_clear(script, integer(g, 17, 96), integer(g, 13, 72));
     generate_clear(g);

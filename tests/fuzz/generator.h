@@ -43,6 +43,7 @@ struct generator {
     int depth;   /* of lists and stacks within each other */
     bool compiling, executing; /* a list is compiled, and executed */
     bool inside;               /* Begin/End */
+    bool contained;  /* positions well within the volume, as long as matrices and planes leave it alone */
     bool pushed;     /* between PushAttrib and PopAttrib */
     bool edge_flags; /* may be set for the vertices of this primitive */
     /* All attributes of this primitive's vertices are given with the first. OSMesa loses a line of a loop if two attributes join
@@ -52,7 +53,7 @@ struct generator {
     bool arrays_set;              /* all vertex arrays that are enabled have ARRAY_VERTICES elements */
 };
 
-enum { ARRAY_VERTICES = 16, FIRST_LIST = 100, MAX_DEPTH = 3 };
+enum { ARRAY_VERTICES = 16, LIST_OF_ARRAYS = 50, FIRST_LIST = 100, MAX_DEPTH = 3 };
 
 /* The script of a seed, with the features of g->selected; g->used tells which it has. */
 void generate(struct generator *g, struct script *script, uint64_t seed);
