@@ -3,6 +3,7 @@
 #include "api/eval.h"
 #include "api/eval_map.h"
 #include "api/list.h"
+#include "api/material.h"
 #include "api/pixel_image.h"
 #include "api/pixel_store.h"
 #include "base/idmap.h"
@@ -251,7 +252,8 @@ static void execute_node(struct context *ctx, struct node *node)
     case OP_VERTICES: fgl_list_replay_vertices(ctx, payload); break;
     case OP_ATTRIBUTE: {
         const struct attribute_node *a = payload;
-        fgl_attr_set(ctx, (enum fgl_attr)a->attr, a->size, a->v);
+        if (!fgl_material_is_tracked(ctx, a->attr))
+            fgl_attr_set(ctx, (enum fgl_attr)a->attr, a->size, a->v);
         break;
     }
     case OP_CALL_LIST: execute_list(ctx, *(GLuint *)payload); break;

@@ -63,6 +63,11 @@ void fgl_material_track_color(struct context *ctx)
         ctx->dirty |= DIRTY_MATERIAL;
 }
 
+bool fgl_material_is_tracked(const struct context *ctx, int attr)
+{
+    return attr >= ATTR_MATERIAL && (tracked_bits(&ctx->s.lighting) >> (attr - ATTR_MATERIAL) & 1);
+}
+
 /* Allowed between Begin and End: materials are attributes of the next vertices, as colours are. A parameter
  * that tracks the current colour follows that alone: glMaterial does not reach it. */
 void GLAPIENTRY glMaterialfv(GLenum face, GLenum pname, const GLfloat *params)

@@ -7,5 +7,7 @@
 /* While GL_COLOR_MATERIAL is enabled, gives the tracked parameters the current colour. For whoever changes
  * either. */
 void fgl_material_track_color(struct context *ctx);
+/* Whether the vertex attribute is a material parameter that follows the current colour, which glMaterial does not reach. */
+bool fgl_material_is_tracked(const struct context *ctx, int attr);
 
 #endif
