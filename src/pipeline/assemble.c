@@ -165,10 +165,17 @@ static FGL_ALWAYS_INLINE void polygon(const struct assembly *as, int n)
                  edge(as, i - 1, 0) | (i == n - 1 ? edge(as, i, 1) : 0) | (i == 2 ? edge(as, 0, 2) : (unsigned)EDGES_GO_ON));
 }
 
-/* Whether a vertex from start to end lies outside the volume. */
+/* Whether a vertex from start to end lies outside the volume. OSMesa rule: with elements that are no fewer than the vertices of their range, any of
+ * the range. */
 static bool any_outside(const struct assembly *as, int start, int end)
 {
     uint32_t outside = 0;
+    const struct vertex_cache *c = &as->p->cache;
+    if (as->elements && c->used <= end - start) {
+        for (int i = 0; i < c->used; i++)
+            outside |= c->outcode[i];
+        return outside != 0;
+    }
     for (int i = start; i < end; i++)
         outside |= as->p->cache.outcode[number(as, i)];
     return outside != 0;

@@ -166,6 +166,7 @@ void fgl_draw(struct context *ctx, const struct vertex_source *source, const str
         return;
     }
     ctx->framebuffer->drawn = true;
+    p->cache.used = vertices;
     if (!run_vertices(p, source, min_index, vertices)) {
         out_of_memory(ctx);
         return;

@@ -29,6 +29,7 @@ struct plan {
 /* Vertices after the vertex stage, for primitive assembly. */
 struct vertex_cache {
     int capacity;     /* vertices */
+    int used;         /* vertices of this draw */
     int stride;       /* floats that there is room for in each record */
     float *record;    /* raster vertices, plan.emit.stride floats each */
     float (*clip)[4]; /* clip coordinates; written where a batch has any outcode */
