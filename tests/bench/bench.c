@@ -22,6 +22,8 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <fixedgl.h>
+
 enum { ROUNDS = 7, WARM_UP_FRAMES = 2, TRIANGLES = 300, LIBRARIES = 2, MAX_RENDERER = 80 };
 
 /* The functions of GL that the scenes call; nothing is linked. */
@@ -55,6 +57,7 @@ static struct {
     FOR_EACH_FUNCTION(DECLARE)
     OSMesaContext (*CreateContext)(GLenum, GLint, GLint, GLint, OSMesaContext);
     GLboolean (*MakeCurrent)(OSMesaContext, void *, GLenum, GLsizei, GLsizei);
+    GLenum (*Accuracy)(GLenum); /* NULL but in FixedGL */
 } gl;
 
 enum content { SPHERE, TRIANGLE_SOUP };
@@ -68,21 +71,27 @@ static const struct scene {
     int size;           /* of the square window */
     int slices, stacks; /* of the sphere */
     int frames;         /* per round */
+    bool exact;         /* FixedGL in exact mode */
 } scenes[] = {
-        {"light: sphere 20x16, 500x500", SPHERE, SHINY, true, false, 500, 20, 16, 50},
-        {"sphere 500x250, 1 directional, immediate", SPHERE, DIRECTIONAL, false, false, 500, 500, 250, 4},
-        {"sphere 500x250, 1 directional, arrays", SPHERE, DIRECTIONAL, true, false, 500, 500, 250, 4},
-        {"sphere 500x250, 1 positional, immediate", SPHERE, POSITIONAL, false, false, 500, 500, 250, 4},
-        {"sphere 500x250, 1 positional, arrays", SPHERE, POSITIONAL, true, false, 500, 500, 250, 4},
-        {"sphere 500x250, 8 positional, immediate", SPHERE, EIGHT, false, false, 500, 500, 250, 4},
-        {"sphere 500x250, 8 positional, arrays", SPHERE, EIGHT, true, false, 500, 500, 250, 4},
-        {"all culled: 1 directional, immediate", SPHERE, DIRECTIONAL, false, true, 500, 500, 250, 4},
-        {"all culled: 1 directional, arrays", SPHERE, DIRECTIONAL, true, true, 500, 500, 250, 4},
-        {"all culled: 1 positional, immediate", SPHERE, POSITIONAL, false, true, 500, 500, 250, 4},
-        {"all culled: 1 positional, arrays", SPHERE, POSITIONAL, true, true, 500, 500, 250, 4},
-        {"all culled: 8 positional, immediate", SPHERE, EIGHT, false, true, 500, 500, 250, 4},
-        {"all culled: 8 positional, arrays", SPHERE, EIGHT, true, true, 500, 500, 250, 4},
-        {"300 smooth triangles, 1024x1024", TRIANGLE_SOUP, UNLIT, false, false, 1024, 0, 0, 4},
+        {"light: sphere 20x16, 500x500", SPHERE, SHINY, true, false, 500, 20, 16, 50, false},
+        {"sphere 500x250, 1 directional, immediate", SPHERE, DIRECTIONAL, false, false, 500, 500, 250, 4, false},
+        {"sphere 500x250, 1 directional, arrays", SPHERE, DIRECTIONAL, true, false, 500, 500, 250, 4, false},
+        {"sphere 500x250, 1 positional, immediate", SPHERE, POSITIONAL, false, false, 500, 500, 250, 4, false},
+        {"sphere 500x250, 1 positional, arrays", SPHERE, POSITIONAL, true, false, 500, 500, 250, 4, false},
+        {"sphere 500x250, 8 positional, immediate", SPHERE, EIGHT, false, false, 500, 500, 250, 4, false},
+        {"sphere 500x250, 8 positional, arrays", SPHERE, EIGHT, true, false, 500, 500, 250, 4, false},
+        {"all culled: 1 directional, immediate", SPHERE, DIRECTIONAL, false, true, 500, 500, 250, 4, false},
+        {"all culled: 1 directional, arrays", SPHERE, DIRECTIONAL, true, true, 500, 500, 250, 4, false},
+        {"all culled: 1 positional, immediate", SPHERE, POSITIONAL, false, true, 500, 500, 250, 4, false},
+        {"all culled: 1 positional, arrays", SPHERE, POSITIONAL, true, true, 500, 500, 250, 4, false},
+        {"all culled: 8 positional, immediate", SPHERE, EIGHT, false, true, 500, 500, 250, 4, false},
+        {"all culled: 8 positional, arrays", SPHERE, EIGHT, true, true, 500, 500, 250, 4, false},
+        {"lit vertices, 1 light, compatible", SPHERE, SHINY, true, false, 64, 500, 250, 4, false},
+        {"lit vertices, 1 light, exact", SPHERE, SHINY, true, false, 64, 500, 250, 4, true},
+        {"lit vertices, 8 lights, compatible", SPHERE, EIGHT, true, false, 64, 500, 250, 4, false},
+        {"lit vertices, 8 lights, exact", SPHERE, EIGHT, true, false, 64, 500, 250, 4, true},
+        {"300 smooth triangles, 1024x1024", TRIANGLE_SOUP, UNLIT, false, false, 1024, 0, 0, 4, false},
+        {"300 smooth triangles, 1024x1024, exact", TRIANGLE_SOUP, UNLIT, false, false, 1024, 0, 0, 4, true},
 };
 
 enum { SCENES = sizeof scenes / sizeof scenes[0], START_UP = SCENES, MEASURED };
@@ -127,6 +136,7 @@ static void load(const char *path)
     OSMESAproc (*get)(const char *) = (OSMESAproc(*)(const char *))dlsym(library, "OSMesaGetProcAddress");
     *(void **)&gl.CreateContext = dlsym(library, "OSMesaCreateContextExt");
     *(void **)&gl.MakeCurrent = dlsym(library, "OSMesaMakeCurrent");
+    *(void **)&gl.Accuracy = dlsym(library, "fixedglAccuracy");
     if (get == NULL || gl.CreateContext == NULL || gl.MakeCurrent == NULL)
         fail("not an OSMesa library", path);
 #define LOAD(result, name, parameters)                                                                       \
@@ -249,6 +259,8 @@ static void open_scene(const struct scene *scene, struct instance *instance, int
     instance->pixels = allocate((size_t)scene->size * (size_t)scene->size, 4);
     instance->context = gl.CreateContext(OSMESA_RGBA, 24, 8, 0, NULL);
     make_current(scene, instance);
+    if (scene->exact && gl.Accuracy != NULL)
+        gl.Accuracy(FIXEDGL_EXACT);
     gl.MatrixMode(GL_PROJECTION);
     gl.Ortho(-1.5, 1.5, -1.5, 1.5, 1, 10);
     gl.MatrixMode(GL_MODELVIEW);
