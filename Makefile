@@ -171,9 +171,9 @@ goldens: deps
 	$(MAKE) -j$(JOBS) all
 	$(FIXEDGL) diff --examples $(BUILD)/examples --record tests/goldens
 
-$(BUILD)/tests/bench/bench: tests/bench/bench.c
+$(BUILD)/tests/bench/bench: $(wildcard tests/bench/*.c tests/bench/*.h)
 	@mkdir -p $(@D)
-	$(Q)$(CC) -std=c11 -O2 $(WARN) $(POSIX) -Iinclude -MMD -MP $< -ldl -lm -o $@
+	$(Q)$(CC) -std=c11 -O2 $(WARN) $(POSIX) -Iinclude $(filter %.c,$^) -ldl -lm -o $@
 bench: deps
 	$(MAKE) -j$(JOBS) libs $(BUILD)/tests/bench/bench
 	$(BUILD)/tests/bench/bench $(LIB)/libfixedgl.so libOSMesa.so.8
