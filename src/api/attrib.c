@@ -4,6 +4,7 @@
 #include "api/enable.h"
 #include "api/material.h"
 #include "api/set.h"
+#include "api/texture_attrib.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -37,7 +38,6 @@ static const struct group groups[] = {
         GROUP(GL_HINT_BIT, DIRTY_RASTER, hint),
         GROUP(GL_EVAL_BIT, DIRTY_CURRENT, eval),
         GROUP(GL_LIST_BIT, 0, list),
-        GROUP(GL_TEXTURE_BIT, DIRTY_FRAGMENT, texture),
         GROUP(GL_SCISSOR_BIT, DIRTY_SCISSOR, scissor),
 };
 
@@ -63,6 +63,8 @@ void fgl_exec_PushAttrib(struct context *ctx, GLbitfield mask)
     struct attrib_entry *e = &ctx->attrib_stack[ctx->attrib_depth++];
     e->mask = mask;
     e->state = ctx->s;
+    if (mask & GL_TEXTURE_BIT)
+        fgl_textures_save(ctx, e);
 }
 
 static void restore_group(struct context *ctx, const struct group *g, const struct server_state *saved)
@@ -78,12 +80,16 @@ static void restore_group(struct context *ctx, const struct group *g, const stru
 
 static void restore_enables(struct context *ctx, const struct server_state *saved)
 {
+    const int active = ctx->s.texture.active_texture;
     const struct state_row *row;
 
     for (int i = 0; (row = fgl_state_row_at(i)) != NULL; i++) {
-        if (row->dirty)
-            fgl_enable_set(ctx, row, fgl_state_saved_flag(row, saved));
+        for (int unit = 0; row->dirty && unit < (row->per_unit ? FGL_MAX_TEXTURE_UNITS : 1); unit++) {
+            ctx->s.texture.active_texture = unit;
+            fgl_enable_set(ctx, row, fgl_state_saved_flag(row, saved, ctx));
+        }
     }
+    ctx->s.texture.active_texture = active;
 }
 
 /* OSMesa rule: stored vertices are drawn, whatever is restored.
@@ -102,6 +108,8 @@ void fgl_exec_PopAttrib(struct context *ctx)
         if (e->mask & groups[i].bit)
             restore_group(ctx, &groups[i], &e->state);
     }
+    if (e->mask & GL_TEXTURE_BIT)
+        fgl_textures_restore(ctx, e);
     if (e->mask & GL_ENABLE_BIT)
         restore_enables(ctx, &e->state);
     if (attributes)

@@ -115,7 +115,7 @@ static void fill_node(struct map_node *node, const struct map_call *c, int dim)
 void fgl_map_replay(struct context *ctx, void *payload)
 {
     const struct map_node *node = payload;
-    RETURN_ERROR_IF(ctx, ctx->begin_mode != OUTSIDE_BEGIN_END || ctx->active_texture != 0,
+    RETURN_ERROR_IF(ctx, ctx->begin_mode != OUTSIDE_BEGIN_END || ctx->s.texture.active_texture != 0,
                     GL_INVALID_OPERATION);
     struct eval_maps *maps = fgl_eval_maps(ctx);
     const int size = kinds[node->map].size;

@@ -37,7 +37,7 @@ static const struct state_row *query(struct context *ctx, GLenum name, double v[
         row->read(ctx, v);
         return row;
     }
-    if (row->kind == STATE_BIT) {
+    if (row->dirty) { /* a capability */
         v[0] = fgl_state_get_flag(row, ctx);
         return row;
     }

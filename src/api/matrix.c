@@ -10,7 +10,7 @@ static struct matrix_stack *current_stack(struct context *ctx)
 {
     switch (ctx->s.transform.matrix_mode) {
     case GL_PROJECTION: return &ctx->projection;
-    case GL_TEXTURE: return &ctx->texture_matrix[ctx->active_texture];
+    case GL_TEXTURE: return &ctx->texture_matrix[ctx->s.texture.active_texture];
     default: return &ctx->modelview;
     }
 }

@@ -4,6 +4,7 @@
 #include "api/list.h"
 #include "fixedgl.h"
 #include "framebuffer/framebuffer.h"
+#include "texture/texture.h"
 
 /* ---- values that are not simply a field ---- */
 
@@ -23,7 +24,7 @@ static void projection_matrix(const struct context *ctx, double *v)
 }
 static void texture_matrix(const struct context *ctx, double *v)
 {
-    copy_matrix(&ctx->texture_matrix[ctx->active_texture], v);
+    copy_matrix(&ctx->texture_matrix[ctx->s.texture.active_texture], v);
 }
 
 /* The hint that asks for the arithmetic in use. */
@@ -42,7 +43,37 @@ static void projection_depth(const struct context *ctx, double *v)
 }
 static void texture_depth(const struct context *ctx, double *v)
 {
-    *v = ctx->texture_matrix[ctx->active_texture].top + 1;
+    *v = ctx->texture_matrix[ctx->s.texture.active_texture].top + 1;
+}
+
+static void active_texture(const struct context *ctx, double *v)
+{
+    *v = GL_TEXTURE0 + ctx->s.texture.active_texture;
+}
+static void client_active_texture(const struct context *ctx, double *v)
+{
+    *v = GL_TEXTURE0 + ctx->client.arrays.client_active_texture;
+}
+
+static double texture_binding(const struct context *ctx, enum texture_target target)
+{
+    return ctx->s.texture.unit[ctx->s.texture.active_texture].bound[target]->name;
+}
+static void texture_binding_1d(const struct context *ctx, double *v)
+{
+    *v = texture_binding(ctx, TEXTURE_1D);
+}
+static void texture_binding_2d(const struct context *ctx, double *v)
+{
+    *v = texture_binding(ctx, TEXTURE_2D);
+}
+static void texture_binding_3d(const struct context *ctx, double *v)
+{
+    *v = texture_binding(ctx, TEXTURE_3D);
+}
+static void texture_binding_cube_map(const struct context *ctx, double *v)
+{
+    *v = texture_binding(ctx, TEXTURE_CUBE_MAP);
 }
 
 static void list_index(const struct context *ctx, double *v)
@@ -100,6 +131,8 @@ static void stencil_ref(const struct context *ctx, double *v)
 enum {
 #define CAP(name, ...) ROW_##name,
 #define CAP_BIT(name, ...) ROW_##name,
+#define UNIT_CAP(name, ...) ROW_##name,
+#define UNIT_CAP_BIT(name, ...) ROW_##name,
 #define ARRAY(name, ...) ROW_##name,
 #define VALUE(name, ...) ROW_##name,
 #define LIMIT(name, ...) ROW_##name,
@@ -116,6 +149,11 @@ static const struct state_row rows[ROW_COUNT] = {
 #define CAP(name, dirty_bit, field) {.kind = STATE_BOOL, .count = 1, .dirty = (dirty_bit), AT(field)},
 #define CAP_BIT(name, dirty_bit, bit_number, field)                                                          \
     {.kind = STATE_BIT, .count = 1, .bit = (bit_number), .dirty = (dirty_bit), AT(field)},
+#define UNIT_CAP(name, dirty_bit, field)                                                                     \
+    {.kind = STATE_BOOL, .count = 1, .dirty = (dirty_bit), .per_unit = true, AT(s.texture.unit[0].field)},
+#define UNIT_CAP_BIT(name, dirty_bit, bit_number, field)                                                     \
+    {.kind = STATE_BIT,  .count = 1,       .bit = (bit_number),                                              \
+     .dirty = (dirty_bit), .per_unit = true, AT(s.texture.unit[0].field)},
 #define ARRAY(name, attr) {.kind = STATE_ARRAY, .count = 1, AT(client.arrays.array[attr].enabled)},
 #define VALUE(name, value_kind, n, field) {.kind = STATE_##value_kind, .count = (n), AT(field)},
 #define LIMIT(name, n, v0, v1) {.kind = STATE_LIMIT, .count = (n), .limit = {(v0), (v1)}},
@@ -131,6 +169,8 @@ const struct state_row *fgl_state_row(GLenum name)
 /* clang-format off */
 #define CAP(name, ...) case name: return &rows[ROW_##name];
 #define CAP_BIT(name, ...) case name: return &rows[ROW_##name];
+#define UNIT_CAP(name, ...) case name: return &rows[ROW_##name];
+#define UNIT_CAP_BIT(name, ...) case name: return &rows[ROW_##name];
 #define ARRAY(name, ...) case name: return &rows[ROW_##name];
 #define VALUE(name, ...) case name: return &rows[ROW_##name];
 #define LIMIT(name, ...) case name: return &rows[ROW_##name];
@@ -155,19 +195,26 @@ static bool read_flag(const struct state_row *row, const char *field)
     return *(const bool *)(const void *)field;
 }
 
-bool fgl_state_get_flag(const struct state_row *row, const struct context *ctx)
+static size_t field_offset(const struct state_row *row, const struct context *ctx)
 {
-    return read_flag(row, (const char *)ctx + row->offset);
+    return row->offset +
+           (row->per_unit ? (size_t)ctx->s.texture.active_texture * sizeof(struct texture_unit) : 0);
 }
 
-bool fgl_state_saved_flag(const struct state_row *row, const struct server_state *saved)
+bool fgl_state_get_flag(const struct state_row *row, const struct context *ctx)
 {
-    return read_flag(row, (const char *)saved + (row->offset - offsetof(struct context, s)));
+    return read_flag(row, (const char *)ctx + field_offset(row, ctx));
+}
+
+bool fgl_state_saved_flag(const struct state_row *row, const struct server_state *saved,
+                          const struct context *ctx)
+{
+    return read_flag(row, (const char *)saved + (field_offset(row, ctx) - offsetof(struct context, s)));
 }
 
 void fgl_state_put_flag(const struct state_row *row, struct context *ctx, bool on)
 {
-    char *field = (char *)ctx + row->offset;
+    char *field = (char *)ctx + field_offset(row, ctx);
 
     if (row->kind != STATE_BIT) {
         *(bool *)(void *)field = on;

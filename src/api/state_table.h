@@ -29,7 +29,8 @@ struct state_row {
     int count; /* values */
     int bit;
     unsigned dirty; /* what glEnable marks; 0: not for glEnable */
-    size_t offset;  /* of the field in struct context */
+    bool per_unit;  /* the field is that of the active texture unit */
+    size_t offset;  /* of the field in struct context, of unit 0 */
     float limit[2];
     void (*read)(const struct context *ctx, double *v);
 };
@@ -45,8 +46,9 @@ const struct state_row *fgl_state_row_at(int i);
 
 /* The boolean of a row that glEnable or glIsEnabled accepts. */
 bool fgl_state_get_flag(const struct state_row *row, const struct context *ctx);
-bool fgl_state_saved_flag(const struct state_row *row,
-                          const struct server_state *saved); /* as pushed; glEnable's only */
+/* The same as pushed; glEnable's only. */
+bool fgl_state_saved_flag(const struct state_row *row, const struct server_state *saved,
+                          const struct context *ctx);
 void fgl_state_put_flag(const struct state_row *row, struct context *ctx, bool on);
 
 #endif

@@ -7,6 +7,7 @@
 #include "api/proc_address.h"
 #include "fixedgl.h"
 #include "pipeline/pipeline.h"
+#include "texture/texture.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -53,7 +54,12 @@ static bool init_context(struct osmesa_context *c, OSMesaContext share)
     if (share)
         fgl_list_store_retain(share->gl.lists);
     ctx->lists = share ? share->gl.lists : fgl_list_store_create();
-    return ctx->immediate && ctx->pipeline && ctx->lists;
+    if (share)
+        fgl_texture_store_retain(share->gl.textures);
+    ctx->textures = share ? share->gl.textures : fgl_texture_store_create();
+    if (ctx->textures)
+        fgl_texture_bind_defaults(ctx);
+    return ctx->immediate && ctx->pipeline && ctx->lists && ctx->textures;
 }
 
 static OSMesaContext create(GLenum format, int depth, int stencil, int accum, OSMesaContext share)
@@ -121,6 +127,8 @@ void GLAPIENTRY OSMesaDestroyContext(OSMesaContext c)
         fgl_current = NULL;
     fgl_list_compiler_destroy(&c->gl);
     fgl_list_store_release(c->gl.lists);
+    fgl_texture_unbind_all(&c->gl);
+    fgl_texture_store_release(c->gl.textures);
     fgl_eval_maps_destroy(&c->gl);
     fgl_immediate_destroy(c->gl.immediate);
     fgl_pipeline_destroy(c->gl.pipeline);

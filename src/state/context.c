@@ -137,6 +137,38 @@ static void init_pixel_maps(struct pixel_map *maps)
         maps[i].size = 1;
 }
 
+static void init_texgen(struct texture_unit *u)
+{
+    for (int coord = 0; coord < 4; coord++) { /* s and t along x and y, r and q nothing */
+        struct texgen *g = &u->gen[coord];
+        g->mode = GL_EYE_LINEAR;
+        if (coord < 2)
+            g->object_plane[coord] = g->eye_plane[coord] = 1;
+        if (coord < 2)
+            g->exact_eye_plane[coord] = 1;
+    }
+}
+
+static void init_texture_env(struct texture_env *e)
+{
+    static const GLenum source[3] = {GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT};
+    e->mode = e->combine_rgb = e->combine_alpha = GL_MODULATE;
+    for (int i = 0; i < 3; i++) {
+        e->source_rgb[i] = e->source_alpha[i] = source[i];
+        e->operand_rgb[i] = i < 2 ? GL_SRC_COLOR : GL_SRC_ALPHA;
+        e->operand_alpha[i] = GL_SRC_ALPHA;
+    }
+    e->rgb_scale = e->alpha_scale = 1;
+}
+
+static void init_texture(struct texture_state *t)
+{
+    for (int unit = 0; unit < FGL_MAX_TEXTURE_UNITS; unit++) {
+        init_texgen(&t->unit[unit]);
+        init_texture_env(&t->unit[unit].env);
+    }
+}
+
 static void init_eval(struct eval_state *e)
 {
     e->map1_grid_domain[1] = e->map2_grid_domain[1] = e->map2_grid_domain[3] = 1;
@@ -186,6 +218,7 @@ void fgl_state_init(struct context *ctx)
     init_hints(&ctx->s.hint);
     init_pixel_mode(&ctx->s.pixel_mode);
     init_pixel_maps(ctx->pixel_map);
+    init_texture(&ctx->s.texture);
     init_eval(&ctx->s.eval);
     ctx->render_mode = GL_RENDER;
     ctx->feedback.type = GL_2D;

@@ -156,10 +156,43 @@ struct pixel_map {
     float value[FGL_MAX_PIXEL_MAP];
 };
 
-/* Table 6.14 "Textures" (GL_TEXTURE_BIT): only what glEnable can say, so far without effect. */
+/* Tables 6.14 to 6.17 "Textures" (GL_TEXTURE_BIT). Targets in order of precedence, lowest first (GL 1.5, 3.8.15
+ * "Texture Application"). */
+enum texture_target { TEXTURE_1D, TEXTURE_2D, TEXTURE_3D, TEXTURE_CUBE_MAP, TEXTURE_TARGETS };
+
+/* Of a texture object, by glTexParameter. wrap: s, t, r. */
+struct texture_parameters {
+    GLenum min_filter, mag_filter, wrap[3], compare_mode, compare_func, depth_mode;
+    float border_color[4], priority, min_lod, max_lod, lod_bias;
+    int base_level, max_level;
+    bool generate_mipmap;
+};
+
+struct texgen {
+    GLenum mode;
+    float object_plane[4], eye_plane[4]; /* eye space: transformed by the inverse modelview matrix of glTexGen's call */
+    double exact_eye_plane[4];           /* the same, never rounded to float */
+};
+
+struct texture_env {
+    GLenum mode;
+    float color[4];
+    GLenum combine_rgb, combine_alpha, source_rgb[3], source_alpha[3], operand_rgb[3], operand_alpha[3];
+    float rgb_scale, alpha_scale, lod_bias;
+    bool coord_replace; /* GL_ARB_point_sprite */
+};
+
+struct texture_unit {
+    unsigned enabled;    /* bit t: enum texture_target */
+    bool gen_enabled[4]; /* s, t, r, q */
+    struct texgen gen[4];
+    struct texture_env env;
+    struct texture_object *bound[TEXTURE_TARGETS]; /* texture/texture.h; name 0: the store's default objects, never NULL */
+};
+
 struct texture_state {
-    bool texture_1d, texture_2d;
-    bool texture_gen[4]; /* s, t, r, q */
+    int active_texture;
+    struct texture_unit unit[FGL_MAX_TEXTURE_UNITS];
 };
 
 /* Table 6.26 "Evaluators" (GL_EVAL_BIT); the maps are in no attribute group. */
@@ -235,9 +268,15 @@ struct client_state {
     struct pixel_store pack, unpack;
 };
 
+struct saved_texture {
+    unsigned name;
+    struct texture_parameters parameters;
+};
+
 struct attrib_entry {
     GLbitfield mask;
-    struct server_state state;
+    struct server_state state; /* its pointers are not to be followed: the objects may be gone */
+    struct saved_texture texture[FGL_MAX_TEXTURE_UNITS][TEXTURE_TARGETS]; /* of GL_TEXTURE_BIT */
 };
 
 struct client_attrib_entry {
@@ -257,7 +296,6 @@ struct context {
     struct server_state s;
     struct client_state client;
     struct matrix_stack modelview, projection, texture_matrix[FGL_MAX_TEXTURE_UNITS];
-    int active_texture;
     struct pixel_map pixel_map[PIXEL_MAP_COUNT];
 
     struct attrib_entry *attrib_stack; /* FGL_MAX_ATTRIB_DEPTH entries, allocated at the first push */
@@ -276,6 +314,7 @@ struct context {
     struct immediate *vertices;      /* where vertex commands go now: immediate, or the list being compiled */
     struct list_compiler *list;      /* api/list.h: the list being compiled */
     struct list_store *lists;        /* api/list.h: lists, maybe shared with other contexts */
+    struct texture_store *textures;  /* texture/texture.h: texture objects, maybe shared alike */
     struct eval_maps *eval_maps;     /* api/eval_map.h: allocated when first used */
     struct pipeline *pipeline;       /* pipeline/pipeline.h: the plan and its work space */
     struct framebuffer *framebuffer; /* framebuffer/framebuffer.h; NULL until OSMesaMakeCurrent */

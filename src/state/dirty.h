@@ -19,7 +19,9 @@ enum {
     DIRTY_FRAMEBUFFER = 1 << 12, /* OSMesaMakeCurrent, glDrawBuffer */
     DIRTY_VARYING = 1 << 13,    /* which attributes differ by vertex in the next draw */
     DIRTY_FOG = 1 << 14,        /* glFog, glEnable(GL_FOG) */
-    DIRTY_ALL = (1 << 15) - 1
+    DIRTY_TEXTURE = 1 << 15,    /* glEnable(GL_TEXTURE_2D, GL_TEXTURE_GEN_S, ...), glTexEnv, glTexGen, glBindTexture,
+                                   glTexParameter, images and deletions */
+    DIRTY_ALL = (1 << 16) - 1
 };
 
 #endif

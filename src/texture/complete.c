@@ -1,0 +1,69 @@
+/* GL 1.5, 3.8.10 "Texture Completeness". */
+#include "texture/texture.h"
+
+static bool mipmaps(const struct texture_parameters *p)
+{
+    return p->min_filter != GL_NEAREST && p->min_filter != GL_LINEAR;
+}
+
+/* floor(log2) of the largest dimension of the base level. */
+static int levels_above(const struct texture_image *base)
+{
+    int size = fgl_max(fgl_max(base->width, base->height), base->depth), levels = 0;
+    while (size >>= 1)
+        levels++;
+    return levels;
+}
+
+int fgl_texture_last_level(const struct texture_object *object)
+{
+    const struct texture_parameters *p = &object->parameters;
+    return fgl_min(fgl_min(p->base_level + levels_above(&object->image[0][p->base_level]), p->max_level),
+                   FGL_MAX_TEXTURE_LEVELS - 1);
+}
+
+static bool same(const struct texture_image *a, const struct texture_image *b, int width, int height, int depth)
+{
+    return b->texels && b->width == width && b->height == height && b->depth == depth &&
+           b->internal_format == a->internal_format && b->border == a->border;
+}
+
+/* All levels that mipmapping needs, of one face. */
+static bool face_complete(const struct texture_object *object, int face, bool mipmapped)
+{
+    const int first = object->parameters.base_level;
+    const int last = mipmapped ? fgl_texture_last_level(object) : first;
+    const struct texture_image *base = &object->image[0][first];
+    for (int level = first; level <= last; level++) {
+        const int shift = level - first;
+        if (!same(base, &object->image[face][level], fgl_max(base->width >> shift, 1),
+                  fgl_max(base->height >> shift, 1), fgl_max(base->depth >> shift, 1)))
+            return false;
+    }
+    return true;
+}
+
+static bool find_complete(const struct texture_object *object)
+{
+    const struct texture_parameters *p = &object->parameters;
+    if (p->base_level >= FGL_MAX_TEXTURE_LEVELS || !object->image[0][p->base_level].texels)
+        return false;
+    if (mipmaps(p) && p->base_level > p->max_level)
+        return false;
+    const struct texture_image *base = &object->image[0][p->base_level];
+    if (object->target == TEXTURE_CUBE_MAP && base->width != base->height)
+        return false;
+    for (int face = 0; face < fgl_texture_faces(object->target); face++)
+        if (!face_complete(object, face, mipmaps(p)))
+            return false;
+    return true;
+}
+
+bool fgl_texture_complete(struct texture_object *object)
+{
+    if (!object->complete_known) {
+        object->complete = find_complete(object);
+        object->complete_known = true;
+    }
+    return object->complete;
+}

@@ -1,0 +1,17 @@
+/* Internal formats of textures (GL 1.5, tables 3.15 and 3.16): what each stores, as OSMesa does. Layer 2. */
+#ifndef FGL_TEXTURE_FORMAT_H
+#define FGL_TEXTURE_FORMAT_H
+
+#include "texture/texture.h"
+
+/* bits: what is stored of red, green, blue and alpha; luminance and intensity are in bits[0]. */
+struct texture_format {
+    GLenum internal_format, base_format;
+    enum texel_kind kind;
+    int bits[4]; /* depth: bits[0] */
+};
+
+/* NULL for an enum that is no internal format. */
+const struct texture_format *fgl_texture_format(GLenum internal_format);
+
+#endif
