@@ -47,17 +47,19 @@ CORE_OBJECTS = $(CORE_SOURCES:%.c=$(BUILD)/%.o) \
                                      $(foreach arith,$(ARITHS),$(VERTEX_KERNELS:%.c=$(BUILD)/%.$(isa).$(arith).o)))
 GLUT_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(wildcard src/glut/*.c))
 CLI_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(wildcard src/cli/*.c))
+ORACLE_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(filter-out src/oracle/main.c,$(wildcard src/oracle/*.c)))
 
 LIB = $(BUILD)/lib
 LIBS = $(LIB)/libfixedgl.a $(LIB)/libfixedgl.so $(LIB)/libfixedglut.a $(LIB)/libfixedglut.so
 EXAMPLES = $(patsubst examples/%.c,$(BUILD)/examples/%,$(wildcard examples/*.c))
 FIXEDGL = $(BUILD)/bin/fixedgl
+MEASURE = $(BUILD)/bin/fixedgl-measure
 RPATH = -Wl,-rpath,'$$ORIGIN/../lib'
 
 .PHONY: all libs help deps diff test check asan bench goldens vec-report identity fuzz-diff install clean format \
         test-programs diff-run
 
-all: $(LIBS) $(FIXEDGL) $(EXAMPLES)
+all: $(LIBS) $(FIXEDGL) $(MEASURE) $(EXAMPLES)
 libs: $(LIBS)
 
 help:
@@ -65,7 +67,7 @@ help:
 
 $(BUILD)/src/%.o: src/%.c
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(CPPFLAGS) $(if $(filter src/glut/% src/cli/%,$<),$(POSIX)) $(CFLAGS) -c $< -o $@
+	$(Q)$(CC) $(CPPFLAGS) $(if $(filter src/glut/% src/cli/% src/oracle/%,$<),$(POSIX)) $(CFLAGS) -c $< -o $@
 
 define kernel_rule
 $(BUILD)/src/%.$(1).o: src/%.c
@@ -102,6 +104,11 @@ $(FIXEDGL): $(CLI_OBJECTS)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(SANITIZE) $(CLI_OBJECTS) -lpng -ldl -lm -pthread -o $@
 
+# Measures the library that it finds: FixedGL, or OSMesa where that is preloaded.
+$(MEASURE): $(ORACLE_OBJECTS) $(BUILD)/src/oracle/main.o $(LIB)/libfixedgl.so
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(SANITIZE) $(ORACLE_OBJECTS) $(BUILD)/src/oracle/main.o -L$(LIB) -lfixedgl -lm $(RPATH) -o $@
+
 $(BUILD)/examples/%: examples/%.c $(LIB)/libfixedglut.so $(LIB)/libfixedgl.so
 	@mkdir -p $(@D)
 	$(Q)$(CC) -Iinclude -std=c11 -O2 $(WARN) $(SANITIZE) -MMD -MP $< -L$(LIB) -lfixedglut -lfixedgl -lGLU -lm $(RPATH) -o $@
@@ -111,8 +118,7 @@ $(BUILD)/examples/%: examples/%.c $(LIB)/libfixedglut.so $(LIB)/libfixedgl.so
 
 UNIT_TESTS = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/unit/*.c))
 API_TESTS = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/api/*.c))
-ORACLE_TESTS = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/oracle/test_*.c))
-ORACLE_SOURCES = $(filter-out tests/oracle/test_%,$(wildcard tests/oracle/*.c))
+ORACLE_TESTS = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/oracle/*.c))
 SCENE_TESTS = $(if $(wildcard tests/scenes/*.c),$(BUILD)/tests/scenes/scenes)
 FUZZ_FLAGS = --seed 1 --count 2000
 FUZZ = $(if $(wildcard tests/fuzz/fuzz_diff.c),$(BUILD)/tests/fuzz/fuzz_diff)
@@ -128,9 +134,9 @@ $(UNIT_TESTS): $(BUILD)/tests/%: tests/%.c $(LIB)/libfixedgl.a
 $(API_TESTS): $(BUILD)/tests/%: tests/%.c $(LIB)/libfixedgl.so
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(TEST_CFLAGS) $< -L$(LIB) -lfixedgl -Wl,-rpath,'$$ORIGIN/../../lib' -lcmocka -ldl -lm -lpthread -o $@
-$(ORACLE_TESTS): $(BUILD)/tests/%: tests/%.c $(ORACLE_SOURCES) $(wildcard tests/oracle/*.h) $(LIB)/libfixedgl.so
+$(ORACLE_TESTS): $(BUILD)/tests/%: tests/%.c $(ORACLE_OBJECTS) $(LIB)/libfixedgl.so
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(TEST_CFLAGS) $< $(ORACLE_SOURCES) -L$(LIB) -lfixedgl -Wl,-rpath,'$$ORIGIN/../../lib' -lcmocka -ldl -lm -o $@
+	$(Q)$(CC) $(TEST_CFLAGS) $< $(ORACLE_OBJECTS) -L$(LIB) -lfixedgl -Wl,-rpath,'$$ORIGIN/../../lib' -lcmocka -ldl -lm -o $@
 $(SCENE_TESTS): $(wildcard tests/scenes/*.c tests/scenes/*.h) $(LIB)/libfixedgl.so $(filter-out %/main.o,$(CLI_OBJECTS))
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(TEST_CFLAGS) $(wildcard tests/scenes/*.c) $(filter-out %/main.o,$(CLI_OBJECTS)) -pthread -L$(LIB) -lfixedgl -Wl,-rpath,'$$ORIGIN/../../lib' -lcmocka -lpng -ldl -lm -o $@
@@ -192,7 +198,7 @@ identity: deps
 deps:
 	@tests/tools/deps.sh
 
-install: libs $(FIXEDGL)
+install: libs $(FIXEDGL) $(MEASURE)
 	install -d $(DESTDIR)$(PREFIX)/include/GL $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(PREFIX)/bin
 	install -m 644 include/fixedgl.h $(DESTDIR)$(PREFIX)/include
 	install -m 644 include/GL/*.h $(DESTDIR)$(PREFIX)/include/GL
@@ -202,7 +208,7 @@ install: libs $(FIXEDGL)
 	    ln -sf lib$$l.so.0 $(DESTDIR)$(LIBDIR)/lib$$l.so && \
 	    sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@LIBDIR@|$(LIBDIR)|' -e 's|@VERSION@|$(VERSION)|' src/$$l.pc.in \
 	        > $(DESTDIR)$(LIBDIR)/pkgconfig/$$l.pc || exit 1; done
-	install -m 755 $(FIXEDGL) $(DESTDIR)$(PREFIX)/bin
+	install -m 755 $(FIXEDGL) $(MEASURE) $(DESTDIR)$(PREFIX)/bin
 
 format:
 	clang-format -i $(shell git ls-files '*.c' '*.h')

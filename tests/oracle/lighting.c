@@ -1,266 +1,153 @@
 /*
- * The equation of GL 1.5, 2.14.1 "Lighting", term by term, and our answers where it has none:
+ * Lit colors against the oracle, category by category, each a test of its name.
  *
- *   light at the vertex                  VP = 0: only its ambient term; the spot's cosine is 0
- *   attenuation with denominator 0       the largest finite float
- *   vertex at the eye, local viewer      VPe = 0: h = VP
- *   h = 0, normal 0, spot direction 0    the dot product is 0
- *   0 to the power 0                     1
- *   singular modelview matrix            with GL_NORMALIZE its cofactors stand for the inverse, else normals
- * are 0 a term that is NaN                   counts as 0 colors outside [0,1]                 clamped at the
- * end only: primary, secondary, then their sum
+ * Each in every mode of fixedglAccuracy; --table has the mode of FIXEDGL_ACCURACY.
+ * environment: FIXEDGL_SEED, the seed (printed); FIXEDGL_SCENES, scenes per category, 64 vertices each.
+ * LD_PRELOAD=libOSMesa.so.8 measures OSMesa instead; argument --table: print the figures of all categories
+ * and assert nothing.
  */
-#include "oracle/lighting.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
-struct vec3 {
-    quad x, y, z;
-};
+#include <cmocka.h>
 
-struct vec4 {
-    quad x, y, z, w;
-};
+#include "fixedgl.h"
+#include "oracle/measure.h"
 
-static struct vec3 add(struct vec3 a, struct vec3 b)
+enum { MOST_CATEGORIES = 256 };
+
+/* On ordinary scenes, compatible mode has f_i right unless the cosine is this close to where it jumps. */
+static const double margin = 1e-6, ordinary = 2.3e-5;
+
+static uint64_t seed = 20260101;
+static int scenes = 40; /* over a million components of all categories in each mode */
+
+static void read_environment(void)
 {
-    return (struct vec3){a.x + b.x, a.y + b.y, a.z + b.z};
+    const char *given_seed = getenv("FIXEDGL_SEED"), *given_scenes = getenv("FIXEDGL_SCENES");
+    if (given_seed != NULL)
+        seed = strtoull(given_seed, NULL, 0);
+    if (given_scenes != NULL && atoi(given_scenes) > 0)
+        scenes = atoi(given_scenes);
 }
 
-static struct vec3 scale(quad s, struct vec3 v)
+static double bound_of(int category, bool exact)
 {
-    return (struct vec3){s * v.x, s * v.y, s * v.z};
+    const struct oracle_bounds *bounds = &oracle_categories[category].bounds;
+    return exact ? bounds->exact : bounds->compatible;
 }
 
-static struct vec3 negate(struct vec3 v)
+static struct oracle_error measure(int category, bool exact)
 {
-    return (struct vec3){-v.x, -v.y, -v.z};
+    struct oracle_measurement m = oracle_measurement_of(category, seed, scenes);
+    m.margin = !exact && bound_of(category, false) == ordinary ? margin : 0;
+    return oracle_measure(&m, oracle_draw);
 }
 
-static quad absolute(quad x)
+static void print_error_line(int category, const struct oracle_error *e)
 {
-    return x < 0 ? -x : x;
+    printf("%-46s max %.1e (%.4f ulp)  99.9%% %.1e  mean %.1e  bytes %5ld  invalid %5ld  of %ld",
+           oracle_categories[category].name, e->max, e->ulps, e->p999, e->mean, e->wrong_bytes, e->invalid,
+           e->components);
+    if (e->max > 0)
+        printf("  worst: scene %d vertex %d component %d, %.9g for %.9g", e->worst.scene, e->worst.vertex,
+               e->worst.component, e->worst.drawn, e->worst.truth);
+    printf("\n");
+    fflush(stdout);
 }
 
-/* A sum that cancels down to the rounding of its terms is 0: on the horizon, singular. */
-static quad sum3(quad a, quad b, quad c)
+static void test_category(void **state)
 {
-    const quad s = a + b + c;
-    return absolute(s) < (quad)0x1p-105 * (absolute(a) + absolute(b) + absolute(c)) ? 0 : s;
+    const int category = *(const int *)*state;
+    const struct oracle_error error = measure(category, false);
+    const double bound = bound_of(category, false);
+    print_error_line(category, &error);
+    assert_true(error.components > 0);
+    assert_int_equal(error.invalid, 0);
+    if (bound > 0)
+        assert_true(error.max <= bound);
 }
 
-static quad dot(struct vec3 a, struct vec3 b)
+static void test_category_exact(void **state)
 {
-    return sum3(a.x * b.x, a.y * b.y, a.z * b.z);
+    const int category = *(const int *)*state;
+    const double bound = bound_of(category, true);
+    assert_int_not_equal(fixedglAccuracy(FIXEDGL_EXACT), 0);
+    const struct oracle_error error = measure(category, true);
+    fixedglAccuracy(FIXEDGL_COMPATIBLE);
+    print_error_line(category, &error);
+    assert_true(error.components > 0);
+    assert_int_equal(error.invalid, 0);
+    assert_int_equal(error.wrong_bytes, 0);
+    assert_true(error.ulps <= bound);
 }
 
-static struct vec3 cross(struct vec3 a, struct vec3 b)
+/* The oracle itself, where its answer can be had by hand. */
+static void test_worked_example(void **unused)
 {
-    return (struct vec3){sum3(a.y * b.z, -a.z * b.y, 0), sum3(a.z * b.x, -a.x * b.z, 0),
-                         sum3(a.x * b.y, -a.y * b.x, 0)};
-}
-
-static quad length(struct vec3 v)
-{
-    return quad_sqrt(dot(v, v));
-}
-
-static struct vec3 unit_or_zero(struct vec3 v)
-{
-    const quad l = length(v);
-    return l == 0 ? v : scale(1 / l, v);
-}
-
-static bool is_finite(quad x)
-{
-    return x - x == 0;
-}
-
-static quad least(quad a, quad b)
-{
-    return b < a ? b : a;
-}
-
-static quad clamp01(quad x)
-{
-    return !(x > 0) ? 0 : x > 1 ? 1 : x;
-}
-
-/* ---- transformation ---- */
-
-/* GL 1.5, 2.11: matrices are column-major, m[4 * column + row]. */
-static struct vec4 transform(const float m[16], const float v[4])
-{
-    quad r[4];
-    for (int row = 0; row < 4; row++)
-        r[row] = (quad)m[row] * (quad)v[0] + (quad)m[4 + row] * (quad)v[1] + (quad)m[8 + row] * (quad)v[2] +
-                 (quad)m[12 + row] * (quad)v[3];
-    return (struct vec4){r[0], r[1], r[2], r[3]};
-}
-
-static struct vec3 column(const float m[16], int c)
-{
-    return (struct vec3){(quad)m[4 * c], (quad)m[4 * c + 1], (quad)m[4 * c + 2]};
-}
-
-static struct vec3 transform_direction(const float m[16], const float v[3])
-{
-    return add(add(scale((quad)v[0], column(m, 0)), scale((quad)v[1], column(m, 1))),
-               scale((quad)v[2], column(m, 2)));
-}
-
-/* 2.14.1: the vector from P1 to P2, either of which may be a direction (w = 0). */
-static struct vec3 from_to(struct vec4 p1, struct vec4 p2)
-{
-    const struct vec3 a = {p1.x, p1.y, p1.z}, b = {p2.x, p2.y, p2.z};
-    if (p1.w != 0 && p2.w != 0)
-        return add(scale(1 / p2.w, b), negate(scale(1 / p1.w, a)));
-    if (p1.w != 0)
-        return b;
-    if (p2.w != 0)
-        return negate(a);
-    return add(b, negate(a));
-}
-
-/* 2.11.3 "Normal Transformation": n times the inverse of the upper 3x3 of the modelview matrix, rescaled by
- * the length of the third row of the inverse, then normalized. Row i of the inverse of a matrix is the cross
- * product of the two columns other than i, divided by the determinant. */
-static struct vec3 transform_normal(const struct oracle_state *state, const float normal[3])
-{
-    const struct vec3 c0 = column(state->modelview, 0), c1 = column(state->modelview, 1),
-                      c2 = column(state->modelview, 2);
-    const struct vec3 row[3] = {cross(c1, c2), cross(c2, c0), cross(c0, c1)};
-    const quad determinant = dot(c0, row[0]);
-    struct vec3 n = add(add(scale((quad)normal[0], row[0]), scale((quad)normal[1], row[1])),
-                        scale((quad)normal[2], row[2]));
-    if (state->normalize)
-        return unit_or_zero(determinant < 0 ? negate(n) : n);
-    if (determinant == 0)
-        return (struct vec3){0, 0, 0};
-    n = scale(1 / determinant, n);
-    return state->rescale_normal ? scale(absolute(determinant) / length(row[2]), n) : n;
-}
-
-/* ---- materials ---- */
-
-static bool applies(GLenum which_face, bool back)
-{
-    return which_face == GL_FRONT_AND_BACK || which_face == (GLenum)(back ? GL_BACK : GL_FRONT);
-}
-
-static void copy(float to[4], const float from[4])
-{
+    (void)unused;
+    struct oracle_state state = {.lights = 1};
     for (int i = 0; i < 4; i++)
-        to[i] = from[i];
+        state.modelview[5 * i] = state.light_modelview[5 * i] = 1;
+    struct oracle_light *light = &state.light[0];
+    *light = (struct oracle_light){.position = {0, 3, 4, 1}, .spot_cutoff = 180, .attenuation = {1, 0.2f, 0}};
+    light->diffuse[0] = light->specular[1] = light->ambient[2] = 1;
+    state.front.diffuse[0] = state.front.specular[1] = state.front.ambient[2] = 1;
+    state.front.shininess = 2;
+    state.front.diffuse[3] = 0.5f;
+    const struct oracle_vertex vertex = {.position = {0, 0, 0, 1}, .normal = {0, 0, 1}};
+    const struct oracle_color color = oracle_shade(&state, &vertex);
+    /* VP = (0, .6, .8), distance 5, att = 1 / (1 + .2 * 5); h = (0, .6, 1.8) / sqrt(3.6), (n.h)^2 = .9 */
+    const double truth[4] = {0.8 / 2, 0.9 / 2, 1.0 / 2, 0.5};
+    for (int i = 0; i < 4; i++)
+        assert_float_equal((double)color.component[i], truth[i], 1e-8); /* .2f is not .2 */
+    assert_true(color.drawn);
 }
 
-/* 2.14.3 "ColorMaterial": the current color replaces the values that the mode names. */
-static struct oracle_material material_of(const struct oracle_state *state,
-                                          const struct oracle_vertex *vertex, bool back)
+static int print_table(void)
 {
-    struct oracle_material m = back ? state->back : state->front;
-    const GLenum mode = state->color_material_mode;
-    if (state->color_material_face == 0 || !applies(state->color_material_face, back))
-        return m;
-    if (mode == GL_AMBIENT || mode == GL_AMBIENT_AND_DIFFUSE)
-        copy(m.ambient, vertex->color);
-    if (mode == GL_DIFFUSE || mode == GL_AMBIENT_AND_DIFFUSE)
-        copy(m.diffuse, vertex->color);
-    if (mode == GL_SPECULAR)
-        copy(m.specular, vertex->color);
-    if (mode == GL_EMISSION)
-        copy(m.emission, vertex->color);
-    return m;
-}
-
-/* ---- one light ---- */
-
-struct sums {
-    quad primary[3], secondary[3];
-};
-
-static void add_term(quad sum[3], quad factor, const float light[4], const float material[4])
-{
-    for (int i = 0; i < 3; i++) {
-        const quad term = factor * ((quad)light[i] * (quad)material[i]);
-        if (term == term)
-            sum[i] += term;
+    const char *mode = getenv("FIXEDGL_ACCURACY");
+    const bool exact = mode != NULL && strcmp(mode, "exact") == 0;
+    for (int i = 0; i < oracle_category_count; i++) {
+        const struct oracle_error error = measure(i, exact);
+        print_error_line(i, &error);
     }
+    return 0;
 }
 
-/* att_i */
-static quad attenuation(const struct oracle_light *light, quad w, quad distance)
+static int test_all(void)
 {
-    if (w == 0)
-        return 1;
-    const quad denominator = (quad)light->attenuation[0] + (quad)light->attenuation[1] * distance +
-                             (quad)light->attenuation[2] * distance * distance;
-    return denominator == 0 ? (quad)FLT_MAX : 1 / denominator;
-}
-
-/* spot_i. Closer than 2^-100 to the edge no vertex comes that is not on it: it is lit. */
-static quad spot(const struct oracle_light *light, struct vec3 direction, struct vec3 VP, quad *to_edge)
-{
-    if (light->spot_cutoff == 180)
-        return 1;
-    const quad cosine = dot(negate(VP), direction);
-    const quad edge = quad_cos_degrees((quad)light->spot_cutoff);
-    *to_edge = least(*to_edge, absolute(cosine - edge));
-    if (cosine < edge - (quad)0x1p-100)
-        return 0;
-    return quad_pow(cosine < 0 ? 0 : cosine, (quad)light->spot_exponent);
-}
-
-static bool has_color(const float light[4], const float material[4])
-{
-    return light[0] * material[0] != 0 || light[1] * material[1] != 0 || light[2] * material[2] != 0;
-}
-
-/* eye is a point: (0, 0, 0, 1). */
-static void add_light(const struct oracle_state *state, const struct oracle_light *light,
-                      const struct oracle_material *material, struct vec4 V, struct vec3 n, struct sums *sums,
-                      struct oracle_color *color)
-{
-    const struct vec4 P = transform(state->light_modelview, light->position), eye = {0, 0, 0, 1};
-    const struct vec3 to_light = from_to(V, P), VP = unit_or_zero(to_light);
-    const struct vec3 direction =
-            unit_or_zero(transform_direction(state->light_modelview, light->spot_direction));
-    const quad factor =
-            attenuation(light, P.w, length(to_light)) * spot(light, direction, VP, &color->to_cone_edge);
-    const quad n_dot_VP = dot(n, VP);
-    const struct vec3 to_viewer =
-            state->local_viewer ? unit_or_zero(from_to(V, eye)) : (struct vec3){0, 0, 1};
-    const quad n_dot_h = dot(n, unit_or_zero(add(VP, to_viewer)));
-
-    add_term(sums->primary, factor, light->ambient, material->ambient);
-    if (n_dot_VP > 0) /* this is f_i */ {
-        add_term(sums->primary, factor * n_dot_VP, light->diffuse, material->diffuse);
-        add_term(state->separate_specular ? sums->secondary : sums->primary,
-                 factor * quad_pow(n_dot_h < 0 ? 0 : n_dot_h, (quad)material->shininess), light->specular,
-                 material->specular);
+    static int number[MOST_CATEGORIES];
+    static struct CMUnitTest tests[MOST_CATEGORIES];
+    size_t count = 0;
+    tests[count++] = (struct CMUnitTest)cmocka_unit_test(test_worked_example);
+    for (int i = 0; i < oracle_category_count && 2 * i + 2 < MOST_CATEGORIES; i++) {
+        number[i] = i;
+        tests[count++] =
+                (struct CMUnitTest){oracle_categories[i].name, test_category, NULL, NULL, &number[i]};
+        tests[count++] =
+                (struct CMUnitTest){oracle_categories[i].name, test_category_exact, NULL, NULL, &number[i]};
     }
-    if (has_color(light->specular, material->specular))
-        color->to_horizon = least(color->to_horizon, absolute(n_dot_VP));
+    return _cmocka_run_group_tests("lighting", tests, count, NULL, NULL);
 }
 
-/* ---- the sum ---- */
-
-struct oracle_color oracle_shade(const struct oracle_state *state, const struct oracle_vertex *vertex)
+int main(int argc, char **argv)
 {
-    struct oracle_color color = {.to_cone_edge = 1, .to_horizon = 1};
-    const struct vec4 V = transform(state->modelview, vertex->position);
-    color.drawn = V.w != 0 && is_finite(V.x) && is_finite(V.y) && is_finite(V.z) && is_finite(V.w);
-    const bool back = state->two_sided && vertex->back_facing;
-    const struct oracle_material material = material_of(state, vertex, back);
-    const struct vec3 front_normal = transform_normal(state, vertex->normal);
-    const struct vec3 n = back ? negate(front_normal) : front_normal;
-
-    static const float one[4] = {1, 1, 1, 1};
-    struct sums sums = {{0, 0, 0}, {0, 0, 0}};
-    add_term(sums.primary, 1, one, material.emission);
-    add_term(sums.primary, 1, state->scene_ambient, material.ambient);
-    for (int i = 0; i < state->lights; i++)
-        add_light(state, &state->light[i], &material, V, n, &sums, &color);
-    for (int i = 0; i < 3; i++)
-        color.component[i] = clamp01(clamp01(sums.primary[i]) + clamp01(sums.secondary[i]));
-    color.component[3] = clamp01((quad)material.diffuse[3]);
-    return color;
+    read_environment();
+    if (argc == 1)
+        unsetenv("FIXEDGL_ACCURACY"); /* the tests choose */
+    if (!oracle_open()) {
+        fprintf(stderr, "lighting: no context with a buffer of floats\n");
+        return 1;
+    }
+    printf("%s, seed %llu (FIXEDGL_SEED), %d scenes per category (FIXEDGL_SCENES)\n",
+           (const char *)glGetString(GL_RENDERER), (unsigned long long)seed, scenes);
+    const int result = argc > 1 && strcmp(argv[1], "--table") == 0 ? print_table() : test_all();
+    oracle_close();
+    return result;
 }

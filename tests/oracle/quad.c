@@ -1,108 +1,103 @@
-#include "quad.h"
+/* The oracle's own arithmetic: known values, identities, the whole range of exponents. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
 
-#include <math.h>
-#include <stdbool.h>
+#include <cmocka.h>
 
-/* Each the sum of three doubles, 159 bits. */
-static const double ln2_parts[3] = {0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56, 0x1.7b57a079a1934p-111};
-static const double pi_parts[3] = {0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53, -0x1.f1976b7ed8fbcp-109};
+#include "oracle/quad.h"
 
-static quad sum(const double part[3])
+/* 2^-105, the promise of quad.h. */
+static const double bound = 0x1p-105;
+
+static void assert_near(quad value, quad truth)
 {
-    return (quad)part[0] + ((quad)part[1] + (quad)part[2]);
+    const quad error = value < truth ? truth - value : value - truth;
+    const quad size = truth < 0 ? -truth : truth;
+    if (!(error <= size * (quad)bound))
+        fail_msg("%.17g differs from %.17g by %g", (double)value, (double)truth, (double)error);
 }
 
-static bool is_finite(quad x)
+/* The digits after the decimal point, in two integers of 17 digits each. */
+static quad decimal(int whole, int64_t first, int64_t second)
 {
-    return x - x == 0;
+    const quad ten17 = (quad)100000000000000000;
+    return (quad)whole + ((quad)first + (quad)second / ten17) / ten17;
 }
 
-static quad power_of_two(int exponent)
+static void test_sqrt(void **state)
 {
-    if (exponent > 1000 || exponent < -1000)
-        return power_of_two(exponent / 2) * power_of_two(exponent - exponent / 2);
-    return (quad)ldexp(1.0, exponent);
-}
-
-/* x = result * 2^exponent with result in [1, 2]; x > 0 and finite. */
-static quad split(quad x, int *exponent)
-{
-    *exponent = 0;
-    for (; x >= (quad)0x1p1000; *exponent += 1000)
-        x *= (quad)0x1p-1000;
-    for (; x < (quad)0x1p-1000; *exponent -= 1000)
-        x *= (quad)0x1p1000;
-    int in_double;
-    frexp((double)x, &in_double);
-    *exponent += in_double - 1;
-    return x * power_of_two(1 - in_double);
-}
-
-quad quad_sqrt(quad x)
-{
-    if (x == 0 || !is_finite(x))
-        return x;
-    int exponent;
-    quad m = split(x, &exponent);
-    if (exponent & 1) {
-        m *= 2;
-        exponent -= 1;
+    (void)state;
+    assert_near(quad_sqrt(2), decimal(1, 41421356237309504, 88016887242096981));
+    assert_near(quad_sqrt(3), decimal(1, 73205080756887729, 35274463415058724));
+    for (quad x = (quad)0x1p-1000 * (quad)0x1p-1000; x < (quad)0x1p1000; x *= 3) {
+        const quad root = quad_sqrt(x);
+        assert_near(root * root, x);
     }
-    /* 53, 106, 113 correct bits. */
-    quad root = (quad)sqrt((double)m);
-    root = (root + m / root) / 2;
-    root = (root + m / root) / 2;
-    return root * power_of_two(exponent / 2);
+    assert_true(quad_sqrt(0) == 0);
 }
 
-/* ln m = 2 atanh y with y = (m - 1) / (m + 1), |y| < 0.172: 24 terms of the series leave 2^-120. */
-quad quad_log2(quad x)
+static void test_log2(void **state)
 {
-    int exponent;
-    quad m = split(x, &exponent);
-    if (m > (quad)1.4142135) {
-        m /= 2;
-        exponent += 1;
+    (void)state;
+    assert_near(quad_log2(3), decimal(1, 58496250072115618, 14537389439478165));
+    assert_near(quad_log2(10), decimal(3, 32192809488736234, 78703194294893901));
+    assert_true(quad_log2(1) == 0);
+    for (int e = -1000; e <= 1000; e += 125) {
+        const quad x = quad_exp2(e);
+        assert_true(quad_log2(x) == e);
+        assert_near(quad_log2(x * 7), e + quad_log2(7));
     }
-    const quad y = (m - 1) / (m + 1), square = y * y;
-    quad series = 0;
-    for (int k = 23; k >= 0; k--)
-        series = series * square + (quad)1 / (2 * k + 1);
-    return (quad)exponent + 2 * y * series / sum(ln2_parts);
 }
 
-/* 2^f = e^(f ln 2), |f ln 2| < 0.35: 28 terms leave 2^-130. */
-quad quad_exp2(quad x)
+static void test_exp2(void **state)
 {
-    if (x > 16000 || x < -16000)
-        return x > 0 ? x * power_of_two(16383) : 0;
-    if (x != x)
-        return x;
-    const int whole = (int)(x < 0 ? x - (quad)0.5 : x + (quad)0.5);
-    const quad t = (x - whole) * sum(ln2_parts);
-    quad series = 1;
-    for (int k = 28; k >= 1; k--)
-        series = 1 + t * series / k;
-    return series * power_of_two(whole);
+    (void)state;
+    assert_near(quad_exp2((quad)1 / 2), quad_sqrt(2));
+    assert_near(quad_exp2((quad)1 / 3), decimal(1, 25992104989487316, 47672106072782283));
+    assert_near(quad_exp2(-(quad)37 / 8) * quad_exp2((quad)37 / 8), 1);
+    assert_true(quad_exp2(-20000) == 0);
+    assert_true(quad_exp2(-3) == (quad)1 / 8);
+    for (int k = -300; k <= 300; k++) { /* 2^(k/7) to the 7th is 2^k */
+        const quad root = quad_exp2((quad)k / 7), square = root * root;
+        assert_near(square * square * square * root, quad_exp2(k));
+    }
 }
 
-quad quad_pow(quad x, quad y)
+static void test_pow(void **state)
 {
-    if (y == 0)
-        return 1;
-    if (x == 0 || !is_finite(x))
-        return x;
-    return quad_exp2(y * quad_log2(x));
+    (void)state;
+    assert_near(quad_pow((quad)9 / 10, 50) * quad_pow((quad)10 / 9, 50), 1);
+    quad product = 1;
+    for (int n = 0; n <= 128; n++, product *= (quad)0.7f)
+        assert_near(quad_pow((quad)0.7f, n), product);
+    assert_near(quad_pow((quad)1e-30f, (quad)1 / 2), quad_sqrt((quad)1e-30f));
+    assert_true(quad_pow(0, 0) == 1);
+    assert_true(quad_pow(0, 3) == 0);
 }
 
-/* |x| <= pi / 2 needs 34 terms for 2^-120. */
-quad quad_cos_degrees(quad angle)
+static void test_cos(void **state)
 {
-    if (angle > 90)
-        return -quad_cos_degrees(180 - angle);
-    const quad x = angle * sum(pi_parts) / 180, square = x * x;
-    quad series = 1;
-    for (int k = 34; k >= 2; k -= 2)
-        series = 1 - square * series / (k * (k - 1));
-    return series;
+    (void)state;
+    assert_near(quad_cos_degrees(60), (quad)1 / 2);
+    assert_near(quad_cos_degrees(120), -(quad)1 / 2);
+    assert_near(quad_cos_degrees(45), quad_sqrt(2) / 2);
+    assert_near(quad_cos_degrees(36), (1 + quad_sqrt(5)) / 4);
+    assert_true(quad_cos_degrees(0) == 1);
+    const quad right = quad_cos_degrees(90);
+    assert_true(right < (quad)bound && -right < (quad)bound);
+    for (int degrees = 1; degrees < 90; degrees++) { /* cos^2 a + cos^2 (90 - a) = 1 */
+        const quad c = quad_cos_degrees(degrees), s = quad_cos_degrees(90 - degrees);
+        assert_near(c * c + s * s, 1);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+            cmocka_unit_test(test_sqrt), cmocka_unit_test(test_log2), cmocka_unit_test(test_exp2),
+            cmocka_unit_test(test_pow),  cmocka_unit_test(test_cos),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
 }

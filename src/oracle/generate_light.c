@@ -68,6 +68,27 @@ void generate_cone_edge(struct random *r, struct oracle_scene *s, double cutoff)
     oracle_aim_normals(r, s);
 }
 
+/* parameter: how far the vertices are from the edge of the cone, inside or outside; as near as floats allow */
+void generate_near_cone_edge(struct random *r, struct oracle_scene *s, double degrees)
+{
+    oracle_ordinary_in_eye_space(r, s, 1);
+    struct oracle_light *light = &s->state.light[0];
+    const float cutoff = random_between(r, 15, 75), place[4] = {0, 0, 0, 1}, down[3] = {0, 0, -1};
+    memcpy(light->position, place, sizeof place);
+    memcpy(light->spot_direction, down, sizeof down);
+    light->spot_cutoff = cutoff;
+    light->spot_exponent = random_between(r, 0, 4);
+    for (int i = 0; i < s->count; i++) {
+        const double side = random_below(r, 2) ? degrees : -degrees;
+        const double angle = ((double)cutoff + side) * 3.14159265358979324 / 180;
+        const double around = (double)random_between(r, 0, 6.28f), far = (double)random_between(r, 1, 6);
+        s->vertex[i].position[0] = (float)(far * sin(angle) * cos(around));
+        s->vertex[i].position[1] = (float)(far * sin(angle) * sin(around));
+        s->vertex[i].position[2] = (float)(-far * cos(angle));
+    }
+    oracle_aim_normals(r, s);
+}
+
 void generate_directional_spot(struct random *r, struct oracle_scene *s, double unused)
 {
     (void)unused;

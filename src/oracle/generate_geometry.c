@@ -58,6 +58,13 @@ void generate_rescaled(struct random *r, struct oracle_scene *s, double scale)
     scale_scene(s, u, u, u);
 }
 
+void generate_uniform_scale(struct random *r, struct oracle_scene *s, double scale)
+{
+    generate_every_kind(r, s, 2);
+    s->state.normalize = true;
+    scale_scene(s, (float)scale, (float)scale, (float)scale);
+}
+
 /* parameter: the least scale of an axis; below 0: mirrored too */
 void generate_scaled(struct random *r, struct oracle_scene *s, double least)
 {
@@ -77,6 +84,11 @@ void generate_sheared(struct random *r, struct oracle_scene *s, double left)
     const int to = random_below(r, 3), from = (to + 1) % 3;
     for (int k = 0; k < 3; k++)
         m[4 * to + k] = m[4 * from + k] + (float)left * m[4 * to + k];
+}
+
+void generate_condition(struct random *r, struct oracle_scene *s, double condition)
+{
+    generate_sheared(r, s, 1 / condition);
 }
 
 /* parameter: how many axes are scaled by 0 */

@@ -61,7 +61,7 @@ static void set_enabled(GLenum capability, bool enabled)
         glDisable(capability);
 }
 
-static void set_state(const struct oracle_state *state)
+void oracle_set_state(const struct oracle_state *state)
 {
     glMatrixMode(GL_MODELVIEW);
     glLoadMatrixf(state->light_modelview);
@@ -88,7 +88,7 @@ static void set_state(const struct oracle_state *state)
     glShadeModel(GL_FLAT);
 }
 
-static void set_arrays(const struct oracle_vertex *vertices, bool colors)
+void oracle_set_arrays(const struct oracle_vertex *vertices, bool colors)
 {
     const GLsizei stride = (GLsizei)sizeof *vertices;
     glEnableClientState(GL_VERTEX_ARRAY);
@@ -106,7 +106,7 @@ static void set_arrays(const struct oracle_vertex *vertices, bool colors)
 /* The point is the last of a few that fall on the same pixel: lit in a batch of unlike neighbours. */
 static void draw_points(const struct oracle_scene *scene)
 {
-    set_arrays(scene->vertex, scene->state.color_material_face != 0);
+    oracle_set_arrays(scene->vertex, scene->state.color_material_face != 0);
     glMatrixMode(GL_PROJECTION);
     for (int i = 0; i < scene->count; i++) {
         const float w = scene->vertex[i].position[3] < 0 ? -1.0f : 1.0f;
@@ -158,7 +158,7 @@ static void draw_triangle(const struct oracle_scene *scene, int i)
     const double side = scene->vertex[i].back_facing ? -0.75 : 0.75;
     to_object(m, (const double[3]){eye[0] - side, eye[1] - 1.5, eye[2]}, corner[0].position);
     to_object(m, (const double[3]){eye[0] + side, eye[1] - 1.5, eye[2]}, corner[1].position);
-    set_arrays(corner, scene->state.color_material_face != 0);
+    oracle_set_arrays(corner, scene->state.color_material_face != 0);
     glMatrixMode(GL_PROJECTION);
     glLoadMatrixf(projection);
     glViewport(i % SIZE, i / SIZE, 1, 1);
@@ -169,7 +169,7 @@ void oracle_draw(const struct oracle_scene *scene, float rgba[ORACLE_VERTICES][4
 {
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT);
-    set_state(&scene->state);
+    oracle_set_state(&scene->state);
     if (!scene->triangles)
         draw_points(scene);
     for (int i = 0; scene->triangles && i < scene->count; i++)

@@ -22,6 +22,7 @@ void generate_shininess(struct random *r, struct oracle_scene *s, double value);
 void generate_spot_exponent(struct random *r, struct oracle_scene *s, double exponent);
 void generate_spot_cutoff(struct random *r, struct oracle_scene *s, double cutoff);
 void generate_cone_edge(struct random *r, struct oracle_scene *s, double cutoff);
+void generate_near_cone_edge(struct random *r, struct oracle_scene *s, double degrees);
 void generate_directional_spot(struct random *r, struct oracle_scene *s, double unused);
 void generate_zero_spot_direction(struct random *r, struct oracle_scene *s, double cutoff);
 void generate_attenuation(struct random *r, struct oracle_scene *s, double magnitude);
@@ -35,8 +36,10 @@ void generate_direction_length(struct random *r, struct oracle_scene *s, double 
 void generate_normals(struct random *r, struct oracle_scene *s, double length);
 void generate_normalized_normals(struct random *r, struct oracle_scene *s, double length);
 void generate_rescaled(struct random *r, struct oracle_scene *s, double scale);
+void generate_uniform_scale(struct random *r, struct oracle_scene *s, double scale);
 void generate_scaled(struct random *r, struct oracle_scene *s, double least);
 void generate_sheared(struct random *r, struct oracle_scene *s, double left);
+void generate_condition(struct random *r, struct oracle_scene *s, double condition);
 void generate_collapsed(struct random *r, struct oracle_scene *s, double axes);
 void generate_large_world(struct random *r, struct oracle_scene *s, double offset);
 void generate_viewer_distance(struct random *r, struct oracle_scene *s, double d);

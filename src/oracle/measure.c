@@ -17,6 +17,12 @@ static int to_byte(double x)
     return (int)floor(x * 255 + 0.5);
 }
 
+/* The float nearest to the truth may lie beyond the value at which the byte changes: no float is nearer. */
+static bool is_wrong_byte(double truth, double drawn)
+{
+    return to_byte(truth) != to_byte(drawn) && (float)truth != (float)drawn;
+}
+
 static void count(struct tally *tally, double error, struct oracle_worst where)
 {
     struct oracle_error *e = &tally->error;
@@ -46,7 +52,7 @@ static void compare_vertex(struct tally *tally, const struct oracle_color *truth
             where.drawn = 1; /* a buffer of floats holds the sum before it is clamped */
         const bool valid = where.drawn >= 0 && where.drawn <= 1;
         tally->error.invalid += !valid;
-        tally->error.wrong_bytes += !valid || to_byte(where.truth) != to_byte(where.drawn);
+        tally->error.wrong_bytes += !valid || is_wrong_byte(where.truth, where.drawn);
         const bool both = truth->drawn || where.drawn == 0;
         const quad exact = truth->drawn ? truth->component[where.component] : 0;
         const double error = fabs((double)((quad)where.drawn - exact));
@@ -55,10 +61,11 @@ static void compare_vertex(struct tally *tally, const struct oracle_color *truth
     }
 }
 
-static void compare_scene(struct tally *tally, const struct oracle_scene *scene, int number, double margin)
+static void compare_scene(struct tally *tally, const struct oracle_scene *scene, int number, double margin,
+                          oracle_renderer *render)
 {
     float rgba[ORACLE_VERTICES][4];
-    oracle_draw(scene, rgba);
+    render(scene, rgba);
     for (int i = 0; i < scene->count; i++) {
         const struct oracle_color truth = oracle_shade(&scene->state, &scene->vertex[i]);
         if (truth.to_horizon < (quad)margin) {
@@ -76,18 +83,28 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-struct oracle_error oracle_measure(int category, uint64_t seed, int scenes, double margin)
+struct oracle_measurement oracle_measurement_of(int category, uint64_t seed, int scenes)
 {
-    struct tally tally = {.errors = malloc((size_t)scenes * COMPONENTS * sizeof(float))};
+    const struct oracle_category *c = &oracle_categories[category];
+    return (struct oracle_measurement){c->generate, c->parameter, seed, (uint64_t)category, scenes, 0};
+}
+
+static void generate(const struct oracle_measurement *m, int number, struct oracle_scene *scene)
+{
+    struct random random = random_stream(m->seed, m->stream << 32 | (uint64_t)number);
+    memset(scene, 0, sizeof *scene);
+    m->generate(&random, scene, m->parameter);
+}
+
+struct oracle_error oracle_measure(const struct oracle_measurement *m, oracle_renderer *render)
+{
+    struct tally tally = {.errors = malloc((size_t)m->scenes * COMPONENTS * sizeof(float))};
     if (tally.errors == NULL)
         abort();
-    for (int i = 0; i < scenes; i++) {
-        struct random random = random_stream(seed, (uint64_t)category << 32 | (uint64_t)i);
+    for (int i = 0; i < m->scenes; i++) {
         struct oracle_scene scene;
-        const struct oracle_category *c = &oracle_categories[category];
-        memset(&scene, 0, sizeof scene);
-        c->generate(&random, &scene, c->parameter);
-        compare_scene(&tally, &scene, i, margin);
+        generate(m, i, &scene);
+        compare_scene(&tally, &scene, i, m->margin, render);
     }
     struct oracle_error *e = &tally.error;
     if (e->components > 0) {
@@ -97,4 +114,11 @@ struct oracle_error oracle_measure(int category, uint64_t seed, int scenes, doub
     }
     free(tally.errors);
     return tally.error;
+}
+
+double oracle_time(const struct oracle_measurement *m, oracle_renderer *render)
+{
+    struct oracle_scene scene;
+    generate(m, 0, &scene);
+    return render == oracle_draw ? oracle_time_strip(&scene) : oracle_time_renderer(&scene, render);
 }

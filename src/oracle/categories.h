@@ -10,9 +10,12 @@ struct oracle_bounds {
     double exact, compatible;
 };
 
+/* Fills a scene that was all zero. */
+typedef void oracle_generator(struct random *random, struct oracle_scene *scene, double parameter);
+
 struct oracle_category {
     const char *name;
-    void (*generate)(struct random *random, struct oracle_scene *scene, double parameter);
+    oracle_generator *generate;
     double parameter; /* what it is, the generator says */
     struct oracle_bounds bounds;
 };

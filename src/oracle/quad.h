@@ -14,7 +14,7 @@ typedef long double quad;
 __extension__ typedef __float128 quad;
 #endif
 
-/* Relative error of each result below: under 2^-105; test_quad.c holds them to it. */
+/* Relative error of each result below: under 2^-105; tests/oracle/quad.c holds them to it. */
 
 /* x >= 0. NaN and infinity come back as they are. */
 quad quad_sqrt(quad x);
