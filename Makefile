@@ -29,22 +29,20 @@ CORE_LAYERS = base state framebuffer texture vertex raster fragment pipeline api
 KERNEL_SOURCES = $(wildcard $(addsuffix /kernels.c,$(addprefix src/,$(CORE_LAYERS))))
 CORE_SOURCES = $(filter-out $(KERNEL_SOURCES),$(wildcard $(addsuffix /*.c,$(addprefix src/,$(CORE_LAYERS)))))
 
-# Kernels are compiled once for each instruction set; src/base/cpu.c chooses at run time.
+# Kernels are compiled once for each instruction set, of which src/base/cpu.c chooses at run time, and for each
+# arithmetic (src/base/arith.h), of which the plan does.
 ISAS := $(if $(filter x86_64 amd64,$(shell $(CC) -dumpmachine 2>/dev/null | cut -d- -f1)),sse2 avx2 avx512,base)
 FLAGS_base =
 FLAGS_sse2 =
 FLAGS_avx2 = -mavx2 -mfma
 FLAGS_avx512 = -mavx2 -mfma -mavx512f -mavx512vl -mavx512dq -mavx512bw -mprefer-vector-width=512
 
-# The vertex stage's also once for each arithmetic (src/base/arith.h).
 ARITHS = compatible exact
 DEFINE_compatible = -DFGL_ARITH_COMPATIBLE
 DEFINE_exact = -DFGL_ARITH_EXACT
-VERTEX_KERNELS = src/vertex/kernels.c
 
 CORE_OBJECTS = $(CORE_SOURCES:%.c=$(BUILD)/%.o) \
-               $(foreach isa,$(ISAS),$(patsubst %.c,$(BUILD)/%.$(isa).o,$(filter-out $(VERTEX_KERNELS),$(KERNEL_SOURCES))) \
-                                     $(foreach arith,$(ARITHS),$(VERTEX_KERNELS:%.c=$(BUILD)/%.$(isa).$(arith).o)))
+               $(foreach isa,$(ISAS),$(foreach arith,$(ARITHS),$(KERNEL_SOURCES:%.c=$(BUILD)/%.$(isa).$(arith).o)))
 GLUT_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(wildcard src/glut/*.c))
 CLI_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(wildcard src/cli/*.c))
 ORACLE_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(filter-out src/oracle/main.c,$(wildcard src/oracle/*.c)))
@@ -70,17 +68,11 @@ $(BUILD)/src/%.o: src/%.c
 	$(Q)$(CC) $(CPPFLAGS) $(if $(filter src/glut/% src/cli/% src/oracle/%,$<),$(POSIX)) $(CFLAGS) -c $< -o $@
 
 define kernel_rule
-$(BUILD)/src/%.$(1).o: src/%.c
-	@mkdir -p $$(@D)
-	$$(Q)$$(CC) $$(CPPFLAGS) $$(CFLAGS) -DFGL_ISA=$(1) $$(FLAGS_$(1)) -c $$< -o $$@
-endef
-define vertex_kernel_rule
 $(BUILD)/src/%.$(1).$(2).o: src/%.c
 	@mkdir -p $$(@D)
 	$$(Q)$$(CC) $$(CPPFLAGS) $$(CFLAGS) -DFGL_ISA=$(1) $$(FLAGS_$(1)) -DFGL_ARITH=$(2) $$(DEFINE_$(2)) -c $$< -o $$@
 endef
-$(foreach isa,$(ISAS),$(eval $(call kernel_rule,$(isa))))
-$(foreach isa,$(ISAS),$(foreach arith,$(ARITHS),$(eval $(call vertex_kernel_rule,$(isa),$(arith)))))
+$(foreach isa,$(ISAS),$(foreach arith,$(ARITHS),$(eval $(call kernel_rule,$(isa),$(arith)))))
 
 # -Bsymbolic: beside a system libGL, our calls to our own functions stay ours.
 $(LIB)/libfixedgl.so: $(CORE_OBJECTS)

@@ -19,7 +19,10 @@
  *   r_fma(a, b, c)    a * b + c, as the window coordinates have it
  *   r_attenuation(x)  1 / x
  *   r_term(x)         a term of a sum of colours
- *   r_abs(x), r_select(c, x, y): c ? x : y
+ *   r_abs(x), r_floor(x), r_ceil(x), r_select(c, x, y): c ? x : y
+ *   r_saturate(x)     x clamped to [0,1]; 0 for NaN
+ *   r_round_small(x)  the nearest integer, half to even, for 0 <= x < 2^22
+ *   r_round_depth(x)  the same for 0 <= x < 2^31
  * All may be given any value, do not trap, and contain no branch. */
 #ifndef FGL_BASE_ARITH_H
 #define FGL_BASE_ARITH_H

@@ -67,6 +67,35 @@ static FGL_ALWAYS_INLINE real r_select(bool condition, real x, real y)
     return fgl_bits_float((fgl_float_bits(x) & mask) | (fgl_float_bits(y) & ~mask));
 }
 
+static FGL_ALWAYS_INLINE real r_floor(real x)
+{
+    return floorf(x);
+}
+static FGL_ALWAYS_INLINE real r_ceil(real x)
+{
+    return ceilf(x);
+}
+
+/* Positive floats are ordered as their bits are, and vector units have the minimum of integers. */
+static FGL_ALWAYS_INLINE real r_saturate(real x)
+{
+    const uint32_t bits = fgl_float_bits(x > 0.0f ? x : 0.0f), one = 0x3f800000;
+    return fgl_bits_float(bits < one ? bits : one);
+}
+
+/* In the sum with 2^23 the last place is 1, so that the low bits are the integer. */
+static FGL_ALWAYS_INLINE int32_t r_round_small(real x)
+{
+    return (int32_t)(fgl_float_bits(x + 8388608.0f) & 0x3fffff);
+}
+
+/* From 2^23 on every float is an integer already. */
+static FGL_ALWAYS_INLINE int32_t r_round_depth(real x)
+{
+    const float magic = x < 8388608.0f ? 8388608.0f : 0.0f;
+    return (int32_t)((x + magic) - magic);
+}
+
 /* 2^x, within 2.6e-7 of it relatively: a polynomial of degree 5 on the fraction, even and odd powers apart.
  * 0 from -127 down, and for NaN; from 128 up (where OSMesa has infinity) the largest value, so that a product
  * with zero stays zero. */

@@ -43,6 +43,30 @@ static FGL_ALWAYS_INLINE real r_rsqrt(real x)
     return r_select(x > 0, 1 / sqrt(x), 0);
 }
 
+static FGL_ALWAYS_INLINE real r_floor(real x)
+{
+    return floor(x);
+}
+static FGL_ALWAYS_INLINE real r_ceil(real x)
+{
+    return ceil(x);
+}
+
+static FGL_ALWAYS_INLINE real r_saturate(real x)
+{
+    return x > 0 ? (x < 1 ? x : 1) : 0;
+}
+
+/* In the sum with 2^52 the last place is 1, so that the low bits are the integer. */
+static FGL_ALWAYS_INLINE int32_t r_round_depth(real x)
+{
+    return (int32_t)(uint32_t)fgl_double_bits(x + 0x1p52);
+}
+static FGL_ALWAYS_INLINE int32_t r_round_small(real x)
+{
+    return r_round_depth(x);
+}
+
 /* A term that is no number counts as 0. */
 static FGL_ALWAYS_INLINE real r_term(real x)
 {

@@ -39,6 +39,16 @@ struct lanes4 {
     float c[4][FGL_BATCH_CAPACITY];
 };
 
+/* What the vertex stage of FIXEDGL_EXACT hands over in place of the floats of the same names. */
+struct lanes4_exact {
+    double c[4][FGL_BATCH_CAPACITY];
+};
+struct exact_batch {
+    struct lanes4_exact clip, win, color[2], secondary[2];
+    struct lanes4_exact eye; /* x y z w, not divided; where there are user clip planes */
+    double fog_z[FGL_BATCH_CAPACITY];
+};
+
 struct vertex_batch {
     int n; /* vertices, 0..FGL_BATCH_SIZE */
 
@@ -53,6 +63,7 @@ struct vertex_batch {
     float fog_z[FGL_BATCH_CAPACITY]; /* |z_eye|, for fog */
     float point_size[FGL_BATCH_CAPACITY];
     uint32_t outcode[FGL_BATCH_CAPACITY]; /* CLIP_* bits: the planes that the vertex lies outside of */
+    struct exact_batch exact;
     uint32_t extreme[FGL_BATCH_CAPACITY]; /* lit in float: not 0 where float is not safe (vertex/work.h) */
     uint32_t outcode_any;     /* OR over the batch */
     uint32_t outcode_all;     /* AND over the batch */

@@ -23,10 +23,10 @@ static FGL_ALWAYS_INLINE uint32_t norm_mul(uint32_t a, uint32_t b, uint32_t max)
 #define SUB(a, b) ((a) > (b) ? (a) - (b) : 0)
 #include "fragment/blend_template.h"
 
-/* OSMesa rule: float colour blends in float, unclamped. */
-#define CHANNEL float
+/* OSMesa rule: float colour blends unclamped. */
+#define CHANNEL real
 #define FACTOR_OUT true
-#define T(name) float_##name
+#define T(name) real_##name
 #define MUL(a, b) ((a) * (b))
 #define COMPLEMENT(a) (max - (a))
 #define ADD(a, b) ((a) + (b))
@@ -59,9 +59,9 @@ static inline void logic_op(GLenum op, uint32_t *FGL_RESTRICT s, const uint32_t 
     FOR_GROUP(i) s[i] &= max;
 }
 
-static inline uint32_t to_norm(float v, uint32_t max)
+static inline uint32_t to_norm(real v, uint32_t max)
 {
-    return (uint32_t)round_small(saturate(v) * (float)max);
+    return (uint32_t)r_round_small(r_saturate(v) * (real)max);
 }
 
 /* UNORM8, UNORM16, 565. */
@@ -72,10 +72,10 @@ static inline void write_norm(const struct fragments *f, const struct fragment_p
     uint32_t src[4][FRAGMENT_GROUP], dst[4][FRAGMENT_GROUP], constant[4];
     load_norm(plan->fb, f->row, f->x, dst);
     for (int c = 0; c < 4; c++)
-        FOR_GROUP(i) src[c][i] = (uint32_t)round_small(saturate(f->color[c][i]) * (float)max);
+        FOR_GROUP(i) src[c][i] = to_norm(f->color[c][i], max);
     if (plan->blend) {
         for (int c = 0; c < 4; c++)
-            constant[c] = to_norm(s->blend_color[c], max);
+            constant[c] = to_norm((real)s->blend_color[c], max);
         norm_blend(s, src, dst, constant, max);
     } else if (plan->logic_op) {
         for (int c = 0; c < 4; c++)
@@ -90,10 +90,12 @@ static inline void write_norm(const struct fragments *f, const struct fragment_p
 
 static inline void write_float(struct fragments *f, const struct fragment_plan *plan)
 {
-    float dst[4][FRAGMENT_GROUP];
+    const float *blend_color = plan->color_buffer.blend_color;
+    const real constant[4] = {(real)blend_color[0], (real)blend_color[1], (real)blend_color[2], (real)blend_color[3]};
+    real dst[4][FRAGMENT_GROUP];
     load_float(plan->fb, f->row, f->x, dst);
     if (plan->blend)
-        float_blend(&plan->color_buffer, f->color, dst, plan->color_buffer.blend_color, 1.0f);
+        real_blend(&plan->color_buffer, f->color, dst, constant, 1);
     for (int c = 0; c < 4; c++) {
         const int32_t write = -(int32_t)plan->channel_write[c];
         FOR_GROUP(i) f->color[c][i] = f->live[i] & write ? f->color[c][i] : dst[c][i];

@@ -44,11 +44,31 @@ enum smoothing {
  * a00)). Smooth attributes other than z and 1/w hold attribute/w and are divided by the plane of 1/w. Flat
  * colours have their value in a00 and zero gradients, and are not divided. */
 struct planes {
-    float a00[LANE_MAX], dadx[LANE_MAX], dady[LANE_MAX];
-    float z_offset; /* polygon offset, added to z before it is clamped */
+    union {
+        struct {
+            float a00[LANE_MAX], dadx[LANE_MAX], dady[LANE_MAX];
+            float z_offset; /* polygon offset, added to z before it is clamped */
+        };
+        struct exact_planes { /* in their place in FIXEDGL_EXACT */
+            double a00[LANE_MAX], dadx[LANE_MAX], dady[LANE_MAX];
+            double z_offset;
+        } exact;
+    };
     enum smoothing smoothing;
     const struct polygon_stipple_state *stipple; /* NULL: none */
 };
+
+/* A value that is the same all over the primitive. */
+static inline void fgl_plane_set(struct planes *p, enum fgl_arith arith, int lane, double value)
+{
+    if (arith == ARITH_EXACT) {
+        p->exact.a00[lane] = value;
+        p->exact.dadx[lane] = p->exact.dady[lane] = 0;
+    } else {
+        p->a00[lane] = (float)value;
+        p->dadx[lane] = p->dady[lane] = 0;
+    }
+}
 
 /* Covered pixels of consecutive rows, all inside the buffer: row y + i has the pixels x0[i] <= x < x1[i], or
  * none. */
@@ -81,6 +101,7 @@ struct fragment_kernels {
 };
 
 struct fragment_plan {
+    enum fgl_arith arith;
     fragment_fill_fn *fill;    /* a fused kernel where there is one for these stages, else the general one */
     fragment_fill_fn *general; /* for planes with smoothing or stipple */
 
@@ -89,8 +110,13 @@ struct fragment_plan {
     bool has_secondary; /* separate specular or colour sum: LANE_SECONDARY */
     bool has_fog;
     GLenum fog_mode;
-    float fog_p, fog_q, fog_k, fog_color[4]; /* OSMesa's: linear f = z*p+q, exp k = density*log2 e, exp2 k' =
-                                                density*sqrt(log2 e) */
+    struct fog_numbers { /* linear f = z*p+q, exp k = density*log2 e, exp2 k' = density*sqrt(log2 e) */
+        float p, q, k;
+    } fog;
+    struct exact_fog_numbers {
+        double p, q, k;
+    } exact_fog;
+    float fog_color[4];
 
     bool alpha_test, depth_test, depth_write, stencil_test, blend, logic_op, color_write;
     bool channel_write[4];
@@ -103,13 +129,13 @@ struct fragment_plan {
     struct framebuffer *fb;
 };
 
-/* Fills *plan from state, but color_source, constant_color and has_secondary: these depend on the vertex
+/* Fills *plan from state, but arith, color_source, constant_color and has_secondary: these depend on the vertex
  * stage, and the caller has set them before. general: no fused kernel (FIXEDGL_PATH=general). */
 void fgl_fragment_validate(struct fragment_plan *plan, const struct server_state *s, struct framebuffer *fb,
                            bool general);
 
 /* The kernels of the processor's best instruction set, and of any that fgl_cpu_has. */
-const struct fragment_kernels *fgl_fragment_kernels(void);
-const struct fragment_kernels *fgl_fragment_kernels_of(enum fgl_isa isa);
+const struct fragment_kernels *fgl_fragment_kernels(enum fgl_arith arith);
+const struct fragment_kernels *fgl_fragment_kernels_of(enum fgl_isa isa, enum fgl_arith arith);
 
 #endif

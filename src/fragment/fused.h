@@ -8,9 +8,9 @@
 
 /* One row of a primitive. depth and color point at pixel 0 of the row. */
 struct fused_row {
-    float y;
+    real y;
     int x0, x1;
-    float depth_max;
+    real depth_max;
     uint32_t flat_color;
     int32_t *depth;
     uint32_t *color;
@@ -27,7 +27,7 @@ static FGL_ALWAYS_INLINE bool fused_depth(const struct planes *p, const struct f
         const int32_t inside = -((x + i >= row->x0) & (x + i < row->x1));
         int32_t pass = inside;
         if (kind != DEPTH_OFF) {
-            const float z = plane_at(p, LANE_Z, (float)(x + i), row->y) + p->z_offset;
+            const real z = plane_at(p, LANE_Z, (real)(x + i), row->y) + PLANES(p)->z_offset;
             const int32_t new_depth = depth_from_z(z, row->depth_max), old_depth = depth[i];
             pass &= -(kind == DEPTH_LESS ? new_depth < old_depth : new_depth <= old_depth);
             depth[i] = pass ? new_depth : old_depth;
@@ -45,7 +45,7 @@ static FGL_ALWAYS_INLINE void fused_color(const struct planes *p, const struct f
     for (int i = 0; i < FRAGMENT_GROUP; i++) {
         uint32_t c = row->flat_color;
         if (source == COLOR_SMOOTH) {
-            const float fx = (float)(x + i), w = 1.0f / plane_at(p, LANE_OOW, fx, row->y);
+            const real fx = (real)(x + i), w = 1 / plane_at(p, LANE_OOW, fx, row->y);
             c = pack_unorm8(
                     plane_at(p, LANE_COLOR + 0, fx, row->y) * w, plane_at(p, LANE_COLOR + 1, fx, row->y) * w,
                     plane_at(p, LANE_COLOR + 2, fx, row->y) * w, plane_at(p, LANE_COLOR + 3, fx, row->y) * w);
@@ -60,15 +60,18 @@ static FGL_ALWAYS_INLINE void fused_fill(const struct fragment_plan *plan, const
 {
     const struct framebuffer *fb = plan->fb;
     const ptrdiff_t stride = fb->stride;
-    const float *flat = source == COLOR_FLAT ? planes->a00 + LANE_COLOR : plan->constant_color;
-    struct fused_row row = {.depth_max = (float)fb->depth_max};
-    if (source != COLOR_SMOOTH)
+    const real *flat = PLANES(planes)->a00 + LANE_COLOR;
+    const float *constant = plan->constant_color;
+    struct fused_row row = {.depth_max = (real)fb->depth_max};
+    if (source == COLOR_FLAT)
         row.flat_color = pack_unorm8(flat[0], flat[1], flat[2], flat[3]);
+    else if (source == COLOR_CONSTANT)
+        row.flat_color = pack_unorm8((real)constant[0], (real)constant[1], (real)constant[2], (real)constant[3]);
 
     for (int i = 0; i < runs->n; i++) {
         if (runs->x0[i] >= runs->x1[i])
             continue;
-        row.y = (float)(runs->y + i);
+        row.y = (real)(runs->y + i);
         row.x0 = runs->x0[i];
         row.x1 = runs->x1[i];
         row.depth = kind != DEPTH_OFF ? (int32_t *)fb->depth + (runs->y + i) * stride : NULL;

@@ -8,8 +8,8 @@
 /* One group of fragments. live: all bits or none. Colours are neither clamped nor rounded. */
 struct fragments {
     int x, row; /* of pixel 0 */
-    float fy, fx[FRAGMENT_GROUP], w[FRAGMENT_GROUP];
-    float color[4][FRAGMENT_GROUP];
+    real fy, fx[FRAGMENT_GROUP], w[FRAGMENT_GROUP];
+    real color[4][FRAGMENT_GROUP];
     int32_t live[FRAGMENT_GROUP], depth[FRAGMENT_GROUP];
 };
 
@@ -32,11 +32,11 @@ static inline void start_fragments(struct fragments *f, const struct fragment_pl
         stipple = p->stipple->row[(plan->fb->height - 1 - row) & 31];
     f->x = x;
     f->row = row;
-    f->fy = (float)row;
-    FOR_GROUP(i) f->fx[i] = (float)(x + i);
+    f->fy = (real)row;
+    FOR_GROUP(i) f->fx[i] = (real)(x + i);
     FOR_GROUP(i)
         f->live[i] = -((x + i >= x0) & (x + i < x1) & (int32_t)(stipple >> (31 - ((x + i) & 31)) & 1));
-    FOR_GROUP(i) f->w[i] = 1.0f / plane_at(p, LANE_OOW, f->fx[i], f->fy);
+    FOR_GROUP(i) f->w[i] = 1 / plane_at(p, LANE_OOW, f->fx[i], f->fy);
 }
 
 static inline void interpolate_color(struct fragments *f, const struct fragment_plan *plan,
@@ -44,12 +44,12 @@ static inline void interpolate_color(struct fragments *f, const struct fragment_
 {
     if (plan->pixels && plan->pixels->color[0]) {
         for (int c = 0; c < 4; c++)
-            FOR_GROUP(i) f->color[c][i] = plan->pixels->color[c][f->x + i];
+            FOR_GROUP(i) f->color[c][i] = (real)plan->pixels->color[c][f->x + i];
         return;
     }
     for (int c = 0; c < 4; c++) {
-        const float flat =
-                plan->color_source == COLOR_FLAT ? p->a00[LANE_COLOR + c] : plan->constant_color[c];
+        const real flat = plan->color_source == COLOR_FLAT ? PLANES(p)->a00[LANE_COLOR + c]
+                                                           : (real)plan->constant_color[c];
         if (plan->color_source == COLOR_SMOOTH)
             FOR_GROUP(i) f->color[c][i] = plane_at(p, LANE_COLOR + c, f->fx[i], f->fy) * f->w[i];
         else
@@ -61,7 +61,7 @@ static inline void add_secondary_color(struct fragments *f, const struct fragmen
                                        const struct planes *p)
 {
     for (int c = 0; c < 3; c++) {
-        const float flat = p->a00[LANE_SECONDARY + c];
+        const real flat = PLANES(p)->a00[LANE_SECONDARY + c];
         if (plan->color_source == COLOR_FLAT)
             FOR_GROUP(i) f->color[c][i] += flat;
         else
@@ -71,19 +71,19 @@ static inline void add_secondary_color(struct fragments *f, const struct fragmen
 
 static inline void apply_fog(struct fragments *f, const struct fragment_plan *plan, const struct planes *p)
 {
-    float factor[FRAGMENT_GROUP];
+    real factor[FRAGMENT_GROUP];
     FOR_GROUP(i) factor[i] = plane_at(p, LANE_FOG, f->fx[i], f->fy) * f->w[i];
-    const float k = plan->fog_k, fog_p = plan->fog_p, fog_q = plan->fog_q;
+    const real k = FOG_NUMBERS(plan)->k, fog_p = FOG_NUMBERS(plan)->p, fog_q = FOG_NUMBERS(plan)->q;
     if (plan->fog_mode == GL_LINEAR)
         FOR_GROUP(i) factor[i] = factor[i] * fog_p + fog_q;
     else if (plan->fog_mode == GL_EXP)
         FOR_GROUP(i) factor[i] = r_exp2(-(factor[i] * k));
     else
         FOR_GROUP(i) factor[i] = r_exp2(-(factor[i] * k * (factor[i] * k)));
-    FOR_GROUP(i) factor[i] = saturate(factor[i]);
+    FOR_GROUP(i) factor[i] = r_saturate(factor[i]);
     for (int c = 0; c < 3; c++) {
-        const float fog = plan->fog_color[c];
-        FOR_GROUP(i) f->color[c][i] = fog * (1.0f - factor[i]) + f->color[c][i] * factor[i];
+        const real fog = (real)plan->fog_color[c];
+        FOR_GROUP(i) f->color[c][i] = fog * (1 - factor[i]) + f->color[c][i] * factor[i];
     }
 }
 
@@ -92,17 +92,17 @@ static inline void apply_fog(struct fragments *f, const struct fragment_plan *pl
  * raised towards its centre. */
 static inline void apply_smoothing(struct fragments *f, const struct planes *p)
 {
-    float s[4][FRAGMENT_GROUP];
+    real s[4][FRAGMENT_GROUP];
     for (int c = 0; c < 4; c++)
         FOR_GROUP(i) s[c][i] = plane_at(p, LANE_SMOOTH + c, f->fx[i], f->fy) * f->w[i];
     if (p->smoothing == SMOOTH_LINE) {
         FOR_GROUP(i)
-            f->color[3][i] *= saturate(s[1][i] - fabsf(s[0][i])) * saturate(s[3][i] - fabsf(s[2][i]));
+            f->color[3][i] *= r_saturate(s[1][i] - r_abs(s[0][i])) * r_saturate(s[3][i] - r_abs(s[2][i]));
     } else {
         FOR_GROUP(i) {
-            const float d2 = s[0][i] * s[0][i] + s[1][i] * s[1][i], inner2 = s[2][i], one = s[3][i];
+            const real d2 = s[0][i] * s[0][i] + s[1][i] * s[1][i], inner2 = s[2][i], one = s[3][i];
             f->live[i] &= -(d2 <= one);
-            f->color[3][i] *= d2 < inner2 ? (one - d2) * (1.0f / (one - inner2)) : one;
+            f->color[3][i] *= d2 < inner2 ? (one - d2) * (1 / (one - inner2)) : one;
         }
     }
 }

@@ -1,13 +1,11 @@
-/* The fragment kernels of one instruction set. The build compiles this file once for each set, with FGL_ISA
- * naming it (sse2, avx2, avx512; base elsewhere) and the compiler's options to match. */
+/* The fragment kernels of one instruction set and one arithmetic. The build compiles this file once for each set, with
+ * FGL_ISA naming it (sse2, avx2, avx512; base elsewhere) and the compiler's options to match, and for each arithmetic, with
+ * FGL_ARITH naming it. */
 #include "fragment/fused.h"
 #include "fragment/general.h"
 
-#define NAME_OF(isa) fgl_fragment_kernels_##isa
-#define KERNELS(isa) NAME_OF(isa)
-
-extern const struct fragment_kernels KERNELS(FGL_ISA);
-const struct fragment_kernels KERNELS(FGL_ISA) = {
+extern const struct fragment_kernels FGL_KERNELS(fragment);
+const struct fragment_kernels FGL_KERNELS(fragment) = {
         .fused = {[DEPTH_OFF] = {fill_constant, fill_flat, fill_smooth},
                   [DEPTH_LESS] = {fill_constant_less, fill_flat_less, fill_smooth_less},
                   [DEPTH_LEQUAL] = {fill_constant_lequal, fill_flat_lequal, fill_smooth_lequal}},

@@ -56,19 +56,19 @@ static inline void store_norm(const struct framebuffer *fb, int row, int x,
     }
 }
 
-static inline void load_float(const struct framebuffer *fb, int row, int x, float dst[4][FRAGMENT_GROUP])
+static inline void load_float(const struct framebuffer *fb, int row, int x, real dst[4][FRAGMENT_GROUP])
 {
     const float *p = (const float *)fb->color + 4 * pixel_index(fb, row, x);
     for (int c = 0; c < 4; c++)
-        FOR_GROUP(i) dst[c][i] = c == 3 && !fb->has_alpha ? 1.0f : p[4 * i + c];
+        FOR_GROUP(i) dst[c][i] = c == 3 && !fb->has_alpha ? 1 : (real)p[4 * i + c];
 }
 
 static inline void store_float(const struct framebuffer *fb, int row, int x,
-                               const float src[4][FRAGMENT_GROUP])
+                               const real src[4][FRAGMENT_GROUP])
 {
     float *p = (float *)fb->color + 4 * pixel_index(fb, row, x);
     for (int c = 0; c < 4; c++)
-        FOR_GROUP(i) p[4 * i + c] = src[c][i];
+        FOR_GROUP(i) p[4 * i + c] = (float)src[c][i];
 }
 
 #endif

@@ -1,21 +1,13 @@
 /* Which kernels this processor runs. */
 #include "fragment/fragment.h"
 
-#if defined(__x86_64__) && defined(__GNUC__)
-extern const struct fragment_kernels fgl_fragment_kernels_sse2, fgl_fragment_kernels_avx2,
-        fgl_fragment_kernels_avx512;
-static const struct fragment_kernels *const kernels[FGL_ISA_COUNT] = {
-        &fgl_fragment_kernels_sse2, &fgl_fragment_kernels_avx2, &fgl_fragment_kernels_avx512};
-#else
-extern const struct fragment_kernels fgl_fragment_kernels_base;
-static const struct fragment_kernels *const kernels[FGL_ISA_COUNT] = {&fgl_fragment_kernels_base};
-#endif
+FGL_KERNEL_TABLE(fragment);
 
-const struct fragment_kernels *fgl_fragment_kernels_of(enum fgl_isa isa)
+const struct fragment_kernels *fgl_fragment_kernels_of(enum fgl_isa isa, enum fgl_arith arith)
 {
-    return kernels[isa];
+    return kernels_of[isa][arith];
 }
-const struct fragment_kernels *fgl_fragment_kernels(void)
+const struct fragment_kernels *fgl_fragment_kernels(enum fgl_arith arith)
 {
-    return kernels[fgl_cpu_isa()];
+    return kernels_of[fgl_cpu_isa()][arith];
 }

@@ -12,7 +12,7 @@ static FGL_ALWAYS_INLINE int32_t compare(GLenum func, int32_t a, int32_t b)
              ((int32_t)(func >> 2) & (a > b)));
 }
 
-static FGL_ALWAYS_INLINE int32_t compare_float(GLenum func, float a, float b)
+static FGL_ALWAYS_INLINE int32_t compare_real(GLenum func, real a, real b)
 {
     return -(((int32_t)func & (a < b)) | ((int32_t)(func >> 1) & (a == b)) |
              ((int32_t)(func >> 2) & (a > b)));
@@ -22,12 +22,12 @@ static FGL_ALWAYS_INLINE int32_t compare_float(GLenum func, float a, float b)
 static inline void alpha_test(struct fragments *f, const struct fragment_plan *plan)
 {
     const GLenum func = plan->color_buffer.alpha_test_func;
-    const float ref = plan->color_buffer.alpha_test_ref;
+    const real ref = (real)plan->color_buffer.alpha_test_ref;
     if (plan->fb->color_kind == COLOR_UNORM8 && plan->color_buffer.draw_buffer != GL_NONE) {
-        const int32_t ref8 = round_small(saturate(ref) * 255.0f);
-        FOR_GROUP(i) f->live[i] &= compare(func, round_small(saturate(f->color[3][i]) * 255.0f), ref8);
+        const int32_t ref8 = r_round_small(r_saturate(ref) * 255);
+        FOR_GROUP(i) f->live[i] &= compare(func, r_round_small(r_saturate(f->color[3][i]) * 255), ref8);
     } else {
-        FOR_GROUP(i) f->live[i] &= compare_float(func, f->color[3][i], ref);
+        FOR_GROUP(i) f->live[i] &= compare_real(func, f->color[3][i], ref);
     }
 }
 
@@ -53,13 +53,13 @@ static inline void stencil_operation(GLenum op, int32_t ref, const int32_t *FGL_
 static inline void depth_compare(struct fragments *f, const struct fragment_plan *plan,
                                  const struct planes *p, const int32_t *old, int32_t *pass)
 {
-    const float depth_max = (float)plan->fb->depth_max;
+    const real depth_max = (real)plan->fb->depth_max;
     const float *given = plan->pixels ? plan->pixels->depth : NULL;
     if (given)
-        FOR_GROUP(i) f->depth[i] = depth_from_z(given[f->x + i], depth_max);
+        FOR_GROUP(i) f->depth[i] = depth_from_z((real)given[f->x + i], depth_max);
     else
         FOR_GROUP(i)
-            f->depth[i] = depth_from_z(plane_at(p, LANE_Z, f->fx[i], f->fy) + p->z_offset, depth_max);
+            f->depth[i] = depth_from_z(plane_at(p, LANE_Z, f->fx[i], f->fy) + PLANES(p)->z_offset, depth_max);
     FOR_GROUP(i) pass[i] = compare(plan->depth_func, f->depth[i], old[i]);
 }
 

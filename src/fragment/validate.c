@@ -15,10 +15,15 @@ static void validate_fog(struct fragment_plan *plan, const struct fog_state *fog
 {
     plan->has_fog = fog->fog;
     plan->fog_mode = fog->fog_mode;
-    plan->fog_p = fog->fog_end == fog->fog_start ? 1.0f : -1.0f / (fog->fog_end - fog->fog_start);
-    plan->fog_q = fog->fog_end * -plan->fog_p;
-    plan->fog_k = fog->fog_mode == GL_EXP2 ? (float)((double)fog->fog_density * 1.2011224087864498)
-                                           : (float)((double)fog->fog_density * 1.4426950408889634);
+    plan->fog.p = fog->fog_end == fog->fog_start ? 1.0f : -1.0f / (fog->fog_end - fog->fog_start);
+    plan->fog.q = fog->fog_end * -plan->fog.p;
+
+    struct exact_fog_numbers *exact = &plan->exact_fog;
+    const double start = (double)fog->fog_start, end = (double)fog->fog_end;
+    exact->p = end == start ? 1 : -1 / (end - start);
+    exact->q = end * -exact->p;
+    exact->k = (double)fog->fog_density * (fog->fog_mode == GL_EXP2 ? 1.2011224087864498 : 1.4426950408889634);
+    plan->fog.k = (float)exact->k;
     for (int i = 0; i < 4; i++)
         plan->fog_color[i] = fgl_clamp01(fog->fog_color[i]); /* queries clamp too */
 }
@@ -32,10 +37,10 @@ static fragment_fill_fn *fused_kernel(const struct fragment_plan *plan)
         !(write[0] && write[1] && write[2] && write[3]))
         return NULL;
     if (!plan->depth_test)
-        return fgl_fragment_kernels()->fused[DEPTH_OFF][plan->color_source];
+        return fgl_fragment_kernels(plan->arith)->fused[DEPTH_OFF][plan->color_source];
     if (!plan->depth_write || (plan->depth_func != GL_LESS && plan->depth_func != GL_LEQUAL))
         return NULL;
-    return fgl_fragment_kernels()
+    return fgl_fragment_kernels(plan->arith)
             ->fused[plan->depth_func == GL_LESS ? DEPTH_LESS : DEPTH_LEQUAL][plan->color_source];
 }
 
@@ -63,6 +68,6 @@ void fgl_fragment_validate(struct fragment_plan *plan, const struct server_state
     plan->lanes = lanes_of(plan);
 
     fragment_fill_fn *fused = general ? NULL : fused_kernel(plan);
-    plan->general = fgl_fragment_kernels()->general;
+    plan->general = fgl_fragment_kernels(plan->arith)->general;
     plan->fill = fused ? fused : plan->general;
 }

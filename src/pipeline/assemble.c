@@ -20,9 +20,14 @@ static FGL_ALWAYS_INLINE uint32_t number(const struct assembly *a, int i)
     return (a->elements ? a->elements[n] : n) - a->base;
 }
 
-static inline const float *record(const struct pipeline *p, uint32_t v)
+static inline const void *record(const struct pipeline *p, uint32_t v)
 {
-    return p->cache.record + (size_t)v * (size_t)p->plan.emit.stride;
+    return fgl_cache_record(&p->cache, &p->plan.emit, v);
+}
+
+static inline const void *clip(const struct pipeline *p, uint32_t v)
+{
+    return fgl_cache_clip(&p->cache, &p->plan.emit, v);
 }
 
 /* A filled triangle whose vertices a, b, c were snapped to p, q, r: into the list, if it may cover a pixel. */
@@ -42,11 +47,11 @@ static FGL_ALWAYS_INLINE void add_filled(struct pipeline *pipe, struct snapped p
 static FGL_NOINLINE void polygon_mode(struct pipeline *p, uint32_t a, uint32_t b, uint32_t c, unsigned edges)
 {
     const struct vertex_cache *v = &p->cache;
-    const float *va = record(p, a), *vb = record(p, b), *vc = record(p, c);
+    const void *va = record(p, a), *vb = record(p, b), *vc = record(p, c);
     p->primitive = (struct primitive){3, {a, b, c}};
     const struct clip_vertices in = {
         .record = {va, vb, vc},
-        .clip = {v->clip[a], v->clip[b], v->clip[c]},
+        .clip = {clip(p, a), clip(p, b), clip(p, c)},
         .provoking = vc,
         .outcode = v->outcode[a] | v->outcode[b] | v->outcode[c],
         .edges = edges,
@@ -54,7 +59,7 @@ static FGL_NOINLINE void polygon_mode(struct pipeline *p, uint32_t a, uint32_t b
     if (v->outcode[a] & v->outcode[b] & v->outcode[c])
         return;
     if (in.outcode)
-        fgl_clip_triangle(p, &p->plan.raster, &in);
+        p->plan.clip->triangle(p, &p->plan.raster, &in);
     else
         fgl_raster_polygon_mode(&p->plan.raster, va, vb, vc, vc, edges, &p->stipple_counter);
 }
@@ -74,16 +79,16 @@ static void line(const struct assembly *as, int i0, int i1, int *stipple_counter
     struct pipeline *p = as->p;
     const uint32_t a = number(as, i0), b = number(as, i1);
     const struct vertex_cache *v = &p->cache;
-    const float *va = record(p, a), *vb = record(p, b);
+    const void *va = record(p, a), *vb = record(p, b);
     p->primitive = (struct primitive){2, {a, b, 0}};
     if ((v->outcode[a] | v->outcode[b]) == 0) {
         fgl_raster_line(&p->plan.raster, va, vb, vb, stipple_counter);
     } else if ((v->outcode[a] & v->outcode[b]) == 0) {
         const struct clip_vertices in = {.record = {va, vb},
-                                         .clip = {v->clip[a], v->clip[b]},
+                                         .clip = {clip(p, a), clip(p, b)},
                                          .provoking = vb,
                                          .outcode = v->outcode[a] | v->outcode[b]};
-        fgl_clip_line(p, &in, stipple_counter);
+        p->plan.clip->line(p, &in, stipple_counter);
     }
 }
 

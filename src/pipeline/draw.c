@@ -57,18 +57,21 @@ static bool grow_array(void *array, size_t bytes)
 }
 
 /* Room for n vertices and what the last batch writes beyond them. */
-static bool reserve(struct vertex_cache *c, int n, int stride)
+static bool reserve(struct vertex_cache *c, int n, const struct emit_plan *emit)
 {
-    if (n <= c->capacity && stride <= c->stride)
+    if (n <= c->capacity && emit->record_bytes <= c->record_bytes && emit->clip_bytes <= c->clip_bytes)
         return true;
+    const size_t record = emit->record_bytes > c->record_bytes ? emit->record_bytes : c->record_bytes;
+    const size_t clip = emit->clip_bytes > c->clip_bytes ? emit->clip_bytes : c->clip_bytes;
     const int capacity = fgl_max(c->capacity, (n + FGL_BATCH_SIZE - 1) / FGL_BATCH_SIZE * FGL_BATCH_SIZE);
     const size_t room = (size_t)capacity + FGL_BATCH_PAD;
-    if (!grow_array(&c->record, room * (size_t)fgl_max(stride, c->stride) * sizeof(float)) ||
-        !grow_array(&c->clip, room * sizeof *c->clip) || !grow_array(&c->outcode, room * sizeof *c->outcode) ||
+    if (!grow_array(&c->record, room * record) || !grow_array(&c->clip, room * clip) ||
+        !grow_array(&c->outcode, room * sizeof *c->outcode) ||
         !grow_array(&c->edge_flag, room * sizeof *c->edge_flag) || !grow_array(&c->snapped, room * sizeof *c->snapped))
         return false;
     c->capacity = capacity;
-    c->stride = fgl_max(stride, c->stride);
+    c->record_bytes = record;
+    c->clip_bytes = clip;
     return true;
 }
 
@@ -76,17 +79,13 @@ static bool reserve(struct vertex_cache *c, int n, int stride)
 static void store_batch(struct pipeline *p, const struct vertex_batch *b, int at)
 {
     struct vertex_cache *c = &p->cache;
-    float *record = c->record + (size_t)at * (size_t)p->plan.emit.stride;
-    fgl_emit(&p->plan.emit, b, record);
+    unsigned char *record = c->record + (size_t)at * p->plan.emit.record_bytes;
+    fgl_emit(&p->plan.emit, b, record, c->clip + (size_t)at * p->plan.emit.clip_bytes);
     if (FGL_UNLIKELY(p->plan.feedback.texture_coords))
         fgl_feedback_emit(&p->plan, b, record);
     memcpy(c->outcode + at, b->outcode, (size_t)b->n * sizeof *c->outcode);
-    if (b->outcode_any)
-        for (int i = 0; i < b->n; i++)
-            for (int k = 0; k < 4; k++)
-                c->clip[at + i][k] = b->clip.c[k][i];
     if (p->plan.polygon_fill) {
-        fgl_triangles_snap(b->win.c[0], b->win.c[1], b->outcode, b->n, c->snapped + at);
+        p->plan.raster.kernels->snap(b, c->snapped + at);
         return;
     }
     const bool varying = b->varying & (1u << ATTR_EDGE_FLAG);
@@ -161,7 +160,7 @@ void fgl_draw(struct context *ctx, const struct vertex_source *source, const str
     if (!p->plan.rasterize)
         return;
     const int vertices = (int)(max_index - min_index + 1);
-    if (!reserve(&p->cache, vertices, p->plan.emit.stride) || !fgl_triangles_init(&p->triangles)) {
+    if (!reserve(&p->cache, vertices, &p->plan.emit) || !fgl_triangles_init(&p->triangles)) {
         out_of_memory(ctx);
         return;
     }

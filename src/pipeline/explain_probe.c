@@ -125,17 +125,23 @@ static void assemble(struct probe *probe, const uint32_t *elements, bool compile
 
 /* Records of position and colour only, where the drawn primitive's vertices are red, green and blue and all
  * others black. */
-static float *make_weight_records(const struct probe *probe, int n)
+static unsigned char *make_weight_records(const struct probe *probe, const struct emit_plan *emit, int n)
 {
     const struct pipeline *p = probe->p;
-    float *record = calloc((size_t)n, LANE_SECONDARY * sizeof(float));
+    const size_t lane = emit->record_bytes / LANE_SECONDARY;
+    unsigned char *record = calloc((size_t)n, emit->record_bytes);
     if (!record)
         return NULL;
     for (int i = 0; i < n; i++)
-        memcpy(record + i * LANE_SECONDARY, p->cache.record + (size_t)i * (size_t)p->plan.emit.stride,
-               LANE_COLOR * sizeof(float));
-    for (int i = 0; i < probe->primitive.n; i++)
-        record[probe->primitive.vertex[i] * LANE_SECONDARY + LANE_COLOR + (uint32_t)i] = 1.0f;
+        memcpy(record + (size_t)i * emit->record_bytes, fgl_cache_record(&p->cache, &p->plan.emit, (uint32_t)i),
+               LANE_COLOR * lane);
+    for (int i = 0; i < probe->primitive.n; i++) {
+        unsigned char *v = record + probe->primitive.vertex[i] * emit->record_bytes + (size_t)(LANE_COLOR + i) * lane;
+        if (emit->arith == ARITH_EXACT)
+            *(double *)(void *)v = 1;
+        else
+            *(float *)(void *)v = 1;
+    }
     return record;
 }
 
@@ -143,13 +149,16 @@ static bool weigh(struct probe *probe, const uint32_t *elements, bool compiled, 
 {
     struct pipeline *p = probe->p;
     const struct plan plan = p->plan;
-    float *const record = p->cache.record, *weights = make_weight_records(probe, n);
+    struct emit_plan emit = plan.emit;
+    fgl_emit_layout(&emit, emit.arith, LANE_SECONDARY);
+    unsigned char *const record = p->cache.record, *weights = make_weight_records(probe, &emit, n);
     if (!weights)
         return false;
     aim(probe, weigh_fill, weigh_fill);
     probe->plan.has_secondary = false;
     p->cache.record = weights;
-    p->plan.emit.stride = p->plan.raster.stride = p->plan.raster.lanes = LANE_SECONDARY;
+    p->plan.emit = emit;
+    p->plan.raster.stride = p->plan.raster.lanes = LANE_SECONDARY;
     p->plan.raster.two_sided = p->plan.raster.flat = false;
     assemble(probe, elements, compiled);
     p->cache.record = record;
@@ -210,10 +219,10 @@ static bool gather(const struct pipeline *p, struct vertex_cache *to, const uint
                    uint32_t base)
 {
     const struct vertex_cache *from = &p->cache;
-    const size_t stride = (size_t)p->plan.emit.stride, count = (size_t)n;
-    *to = (struct vertex_cache){.capacity = n, .stride = p->plan.emit.stride};
-    to->record = malloc(count * stride * sizeof *to->record);
-    to->clip = malloc(count * sizeof *to->clip);
+    const size_t record = p->plan.emit.record_bytes, clip = p->plan.emit.clip_bytes, count = (size_t)n;
+    *to = (struct vertex_cache){.capacity = n, .record_bytes = record, .clip_bytes = clip};
+    to->record = malloc(count * record);
+    to->clip = malloc(count * clip);
     to->outcode = malloc(count * sizeof *to->outcode);
     to->edge_flag = malloc(count * sizeof *to->edge_flag);
     to->snapped = malloc(count * sizeof *to->snapped);
@@ -221,8 +230,8 @@ static bool gather(const struct pipeline *p, struct vertex_cache *to, const uint
         return false;
     for (int i = 0; i < n; i++) {
         const size_t v = elements[i] - base;
-        memcpy(to->record + (size_t)i * stride, from->record + v * stride, stride * sizeof(float));
-        memcpy(to->clip[i], from->clip[v], sizeof to->clip[i]);
+        memcpy(to->record + (size_t)i * record, from->record + v * record, record);
+        memcpy(to->clip + (size_t)i * clip, from->clip + v * clip, clip);
         to->outcode[i] = from->outcode[v];
         to->edge_flag[i] = from->edge_flag[v];
         to->snapped[i] = from->snapped[v];

@@ -55,6 +55,7 @@ void fgl_explain_vertices(struct context *ctx, const struct vertex_source *sourc
         memcpy(v->normal, normal, sizeof v->normal);
         memset(&v->trace, 0, sizeof v->trace);
         fgl_vertex_trace(plan, b, &v->trace);
+        fgl_vertex_round(plan, b);
         take_results(d, b, ctx->framebuffer->height, v);
     }
 }

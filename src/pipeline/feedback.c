@@ -1,7 +1,7 @@
 /* Feedback and selection: what takes primitives from the rasterizer. See feedback.h.
  *
  * Polygons arrive, and are written, as the triangles that they are made of. All take the longer road of
- * raster/polygon.c, which chooses faces, culls, offsets and turns polygons into lines and points, and flat
+ * raster/polygon_kernel.h, which chooses faces, culls, offsets and turns polygons into lines and points, and flat
  * shading has copied the colours. */
 #include "pipeline/feedback.h"
 #include "pipeline/pipeline.h"
@@ -34,38 +34,47 @@ void fgl_feedback_vertex(struct feedback_state *f, const float window[4], const 
         values(f, texture_coords, 4);
 }
 
-/* A vertex in the middle of nowhere (w = 0, overflow) cannot be drawn, nor can its primitive. */
-static bool is_somewhere(const float *v)
+/* A lane of a raster vertex, rounded to float. */
+static float lane(const struct raster_plan *plan, const void *v, int i)
 {
-    return isfinite(v[LANE_X]) && isfinite(v[LANE_Y]) && isfinite(v[LANE_Z]) && isfinite(v[LANE_OOW]);
+    return plan->fragment->arith == ARITH_EXACT ? (float)((const double *)v)[i] : ((const float *)v)[i];
 }
 
-static void vertex(const struct raster_plan *plan, const float *v, const float *provoking)
+/* A vertex in the middle of nowhere (w = 0, overflow) cannot be drawn, nor can its primitive. */
+static bool is_somewhere(const struct raster_plan *plan, const void *v)
+{
+    return isfinite(lane(plan, v, LANE_X)) && isfinite(lane(plan, v, LANE_Y)) && isfinite(lane(plan, v, LANE_Z)) &&
+           isfinite(lane(plan, v, LANE_OOW));
+}
+
+static void vertex(const struct raster_plan *plan, const void *v, const void *provoking)
 {
     const struct fragment_plan *f = plan->fragment;
-    const float window[4] = {v[LANE_X], (float)plan->framebuffer_height - v[LANE_Y], v[LANE_Z],
-                             1.0f / v[LANE_OOW]};
-    const float *given =
-            f->color_source == COLOR_CONSTANT ? f->constant_color : (plan->flat ? provoking : v) + LANE_COLOR;
-    float color[4];
+    const float window[4] = {lane(plan, v, LANE_X), (float)plan->framebuffer_height - lane(plan, v, LANE_Y),
+                             lane(plan, v, LANE_Z), 1.0f / lane(plan, v, LANE_OOW)};
+    const void *given = plan->flat ? provoking : v;
+    const bool constant = f->color_source == COLOR_CONSTANT;
+    float color[4], texture_coords[4] = {0};
     for (int i = 0; i < 4; i++)
-        color[i] = fgl_clamp01(given[i]);
-    fgl_feedback_vertex(&plan->taker->feedback, window, color, v + LANE_TEX0);
+        color[i] = fgl_clamp01(constant ? f->constant_color[i] : lane(plan, given, LANE_COLOR + i));
+    for (int i = 0; i < plan->lanes - LANE_TEX0 && i < 4; i++)
+        texture_coords[i] = lane(plan, v, LANE_TEX0 + i);
+    fgl_feedback_vertex(&plan->taker->feedback, window, color, texture_coords);
 }
 
-static void feedback_point(const struct raster_plan *plan, const float *v, float size)
+static void feedback_point(const struct raster_plan *plan, const void *v, float size)
 {
     (void)size;
-    if (!is_somewhere(v))
+    if (!is_somewhere(plan, v))
         return;
     fgl_feedback_value(&plan->taker->feedback, GL_POINT_TOKEN);
     vertex(plan, v, v);
 }
 
-static void feedback_line(const struct raster_plan *plan, const float *v0, const float *v1,
-                          const float *provoking, int *stipple_counter)
+static void feedback_line(const struct raster_plan *plan, const void *v0, const void *v1,
+                          const void *provoking, int *stipple_counter)
 {
-    if (!is_somewhere(v0) || !is_somewhere(v1))
+    if (!is_somewhere(plan, v0) || !is_somewhere(plan, v1))
         return;
     fgl_feedback_value(&plan->taker->feedback, *stipple_counter == 0 ? GL_LINE_RESET_TOKEN : GL_LINE_TOKEN);
     *stipple_counter = 1;
@@ -73,11 +82,11 @@ static void feedback_line(const struct raster_plan *plan, const float *v0, const
     vertex(plan, v1, provoking);
 }
 
-static void feedback_triangle(const struct raster_plan *plan, const float *v0, const float *v1,
-                              const float *v2, const float *provoking)
+static void feedback_triangle(const struct raster_plan *plan, const void *v0, const void *v1,
+                              const void *v2, const void *provoking)
 {
-    const float *const v[3] = {v0, v1, v2};
-    if (!is_somewhere(v0) || !is_somewhere(v1) || !is_somewhere(v2))
+    const void *const v[3] = {v0, v1, v2};
+    if (!is_somewhere(plan, v0) || !is_somewhere(plan, v1) || !is_somewhere(plan, v2))
         return;
     fgl_feedback_value(&plan->taker->feedback, GL_POLYGON_TOKEN);
     fgl_feedback_value(&plan->taker->feedback, 3);
@@ -104,28 +113,28 @@ void fgl_selection_hit(struct selection_state *s, float z)
     s->hit = true;
 }
 
-static void hit(const struct raster_plan *plan, const float *v)
+static void hit(const struct raster_plan *plan, const void *v)
 {
-    if (is_somewhere(v))
-        fgl_selection_hit(&plan->taker->selection, fgl_clamp01(v[LANE_Z]));
+    if (is_somewhere(plan, v))
+        fgl_selection_hit(&plan->taker->selection, fgl_clamp01(lane(plan, v, LANE_Z)));
 }
 
-static void select_point(const struct raster_plan *plan, const float *v, float size)
+static void select_point(const struct raster_plan *plan, const void *v, float size)
 {
     (void)size;
     hit(plan, v);
 }
 
-static void select_line(const struct raster_plan *plan, const float *v0, const float *v1,
-                        const float *provoking, int *stipple_counter)
+static void select_line(const struct raster_plan *plan, const void *v0, const void *v1,
+                        const void *provoking, int *stipple_counter)
 {
     (void)provoking, (void)stipple_counter;
     hit(plan, v0);
     hit(plan, v1);
 }
 
-static void select_triangle(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2,
-                            const float *provoking)
+static void select_triangle(const struct raster_plan *plan, const void *v0, const void *v1, const void *v2,
+                            const void *provoking)
 {
     (void)provoking;
     hit(plan, v0);
@@ -142,7 +151,8 @@ static void extend_vertices(struct plan *plan)
     struct raster_plan *r = &plan->raster;
     const int back = e->stride - e->lanes;
     r->lanes = r->back_lane = e->lanes = e->back_lane = LANE_TEX0 + 4;
-    r->stride = e->stride = e->lanes + back;
+    fgl_emit_layout(e, e->arith, e->lanes + back);
+    r->stride = e->stride;
     plan->fetch |= 1u << ATTR_TEX0;
 }
 
@@ -166,16 +176,20 @@ void fgl_feedback_validate(struct context *ctx, struct plan *plan)
 }
 
 /* GL 1.5, 2.11.2: texture coordinates are multiplied by the texture matrix. */
-void fgl_feedback_emit(const struct plan *plan, const struct vertex_batch *b, float *record)
+void fgl_feedback_emit(const struct plan *plan, const struct vertex_batch *b, unsigned char *record)
 {
     const float *m = plan->feedback.texture_matrix, *constant = plan->vertex.constant[ATTR_TEX0];
-    const bool varying = b->varying & (1u << ATTR_TEX0);
-    for (int i = 0; i < b->n; i++, record += plan->emit.stride) {
+    const bool varying = b->varying & (1u << ATTR_TEX0), exact = plan->emit.arith == ARITH_EXACT;
+    for (int i = 0; i < b->n; i++, record += plan->emit.record_bytes) {
         float t[4];
         for (int c = 0; c < 4; c++)
             t[c] = varying ? b->in[ATTR_TEX0].c[c][i] : constant[c];
-        for (int row = 0; row < 4; row++)
-            record[LANE_TEX0 + row] =
-                    t[0] * m[row] + t[1] * m[4 + row] + t[2] * m[8 + row] + t[3] * m[12 + row];
+        for (int row = 0; row < 4; row++) {
+            const float v = t[0] * m[row] + t[1] * m[4 + row] + t[2] * m[8 + row] + t[3] * m[12 + row];
+            if (exact)
+                ((double *)(void *)record)[LANE_TEX0 + row] = (double)v;
+            else
+                ((float *)(void *)record)[LANE_TEX0 + row] = v;
+        }
     }
 }

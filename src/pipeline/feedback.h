@@ -19,7 +19,7 @@ struct feedback_plan {
 void fgl_feedback_validate(struct context *ctx, struct plan *plan);
 
 /* Texture coordinates into the records of a batch. */
-void fgl_feedback_emit(const struct plan *plan, const struct vertex_batch *batch, float *record);
+void fgl_feedback_emit(const struct plan *plan, const struct vertex_batch *batch, unsigned char *record);
 
 /* One more value into the feedback buffer, if it has room. */
 void fgl_feedback_value(struct feedback_state *f, float value);

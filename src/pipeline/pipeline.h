@@ -19,6 +19,7 @@ struct plan {
     struct raster_plan raster;
     struct fragment_plan fragment;
     struct feedback_plan feedback;
+    const struct clip_kernels *clip;
     uint32_t fetch;       /* attributes that some stage reads */
     uint32_t varying;     /* attributes that were arrays when the plan was made */
     bool polygon_fill;    /* both faces filled: no edge flags, no lines or points from triangles */
@@ -30,13 +31,23 @@ struct plan {
 struct vertex_cache {
     int capacity;     /* vertices */
     int used;         /* vertices of this draw */
-    int stride;       /* floats that there is room for in each record */
-    float *record;    /* raster vertices, plan.emit.stride floats each */
-    float (*clip)[4]; /* clip coordinates; written where a batch has any outcode */
+    size_t record_bytes, clip_bytes; /* that there is room for in each of them */
+    unsigned char *record; /* raster vertices, plan.emit.record_bytes each */
+    unsigned char *clip;   /* clip vertices, plan.emit.clip_bytes each; written where a batch has any outcode */
     uint32_t *outcode;
     struct snapped *snapped; /* written when polygons are filled */
     float *edge_flag; /* written when polygons are not filled */
 };
+
+/* Vertex v of the cache. */
+static inline const void *fgl_cache_record(const struct vertex_cache *c, const struct emit_plan *emit, uint32_t v)
+{
+    return c->record + v * emit->record_bytes;
+}
+static inline const void *fgl_cache_clip(const struct vertex_cache *c, const struct emit_plan *emit, uint32_t v)
+{
+    return c->clip + v * emit->clip_bytes;
+}
 
 /* A point, line or triangle: its vertices' numbers in the cache, the provoking one last. */
 struct primitive {
@@ -89,15 +100,20 @@ void fgl_assemble_all(struct pipeline *p, const struct draw_prim *prims, int n, 
 /* assemble.c: the primitive's lines, points and triangles to the rasterizer. Vertex i is the cache's number i, or elements[i] - base. */
 void fgl_assemble(struct pipeline *p, const struct draw_prim *prim, const uint32_t *elements, uint32_t base, bool compiled);
 
-/* clip.c: clips against the frustum and the user planes, hands what is left to the rasterizer. */
+/* Clips against the frustum and the user planes, hands what is left to the rasterizer. */
 struct clip_vertices {
-    const float *record[3], *clip[3];
-    const float *provoking;
+    const void *record[3], *clip[3];
+    const void *provoking;
     uint32_t outcode; /* OR over the vertices */
     unsigned edges;   /* boundary edges: bit i from vertex i to the next */
 };
-/* raster: the pipeline's plan, or one with narrower bounds. */
-void fgl_clip_triangle(struct pipeline *p, const struct raster_plan *raster, const struct clip_vertices *in);
-void fgl_clip_line(struct pipeline *p, const struct clip_vertices *in, int *stipple_counter);
+
+/* The kernels of one instruction set and one arithmetic (kernels.c). raster: the pipeline's plan, or one with narrower
+ * bounds. */
+struct clip_kernels {
+    void (*triangle)(struct pipeline *p, const struct raster_plan *raster, const struct clip_vertices *in);
+    void (*line)(struct pipeline *p, const struct clip_vertices *in, int *stipple_counter);
+};
+const struct clip_kernels *fgl_clip_kernels(enum fgl_arith arith);
 
 #endif

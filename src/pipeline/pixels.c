@@ -4,22 +4,16 @@
 
 #include <string.h>
 
-static void set_constant(struct planes *p, int lane, float value)
-{
-    p->a00[lane] = value;
-    p->dadx[lane] = p->dady[lane] = 0.0f;
-}
-
 /* OSMesa rules: z goes through clip space; pixel rectangles have the fog coordinate 0, and no secondary
  * colour; the raster colours are clamped. */
-static void set_planes(struct planes *p, const struct current_state *current)
+static void set_planes(struct planes *p, enum fgl_arith arith, const struct current_state *current)
 {
     const float clip_z = current->raster_position[2] * 2.0f - 1.0f;
     memset(p, 0, sizeof *p);
-    set_constant(p, LANE_OOW, 1.0f);
-    set_constant(p, LANE_Z, clip_z * 0.5f + 0.5f);
+    fgl_plane_set(p, arith, LANE_OOW, 1);
+    fgl_plane_set(p, arith, LANE_Z, (double)(clip_z * 0.5f + 0.5f));
     for (int c = 0; c < 3; c++)
-        set_constant(p, LANE_SECONDARY + c, fgl_clamp01(current->raster_secondary_color[c]));
+        fgl_plane_set(p, arith, LANE_SECONDARY + c, (double)fgl_clamp01(current->raster_secondary_color[c]));
 }
 
 /* GL 1.5, 3.9 "Color Sum". */
@@ -36,6 +30,7 @@ void fgl_pixels_begin(struct context *ctx, enum pixel_kind kind, struct pixel_dr
 
     memset(f, 0, sizeof *f);
     memset(&draw->inputs, 0, sizeof draw->inputs);
+    f->arith = fgl_context_arith(ctx);
     f->color_source = COLOR_CONSTANT;
     for (int c = 0; c < 4; c++)
         f->constant_color[c] = fgl_clamp01(ctx->s.current.raster_color[c]);
@@ -49,7 +44,7 @@ void fgl_pixels_begin(struct context *ctx, enum pixel_kind kind, struct pixel_dr
         f->has_fog = false; /* OSMesa rule */
     fgl_raster_validate(&raster, &ctx->s, f);
     draw->bounds = raster.bounds;
-    set_planes(&draw->planes, &ctx->s.current);
+    set_planes(&draw->planes, f->arith, &ctx->s.current);
     ctx->framebuffer->drawn = true;
 }
 

@@ -99,7 +99,7 @@ void fgl_plan_report_write(const struct pipeline *p)
                  "%d draw%s with %d plan%s. Costs: measured now, one thread, %s kernels%s; of a term, what\n"
                  "leaving it out would save; below zero where the kernels without it are slower.\n",
                  r->draws, r->draws == 1 ? "" : "s", r->plans, r->plans == 1 ? "" : "s",
-                 fgl_vertex_kernels(p->plan.vertex.accuracy)->isa, p->general ? ", FIXEDGL_PATH=general" : "");
+                 fgl_vertex_kernels(p->plan.vertex.arith)->isa, p->general ? ", FIXEDGL_PATH=general" : "");
     for (int i = 0; i < r->plans; i++) {
         const struct plan_entry *e = &r->plan[i];
         fgl_text_add(&t, "\nPlan %d: %d draw%s, %lld vertices\n%s%s  left out\n%s", i + 1, e->draws,

@@ -61,8 +61,8 @@ void fgl_plan_describe(struct text *t, const struct plan *plan)
 {
     static const char *const scaling[] = {"as they are", "rescaled", "normalized"};
     const struct vertex_plan *v = &plan->vertex;
-    if (v->accuracy == FIXEDGL_EXACT)
-        fgl_text_add(t, "  accuracy    exact: the vertex stage in double\n");
+    if (v->arith == ARITH_EXACT)
+        fgl_text_add(t, "  accuracy    exact: in double, rounded once\n");
     describe_attributes(t, plan->varying, plan->fetch);
     fgl_text_add(t, "  transform   to clip and window coordinates%s%s%s\n",
                  v->need_eye ? ", to eye coordinates" : "", v->need_fog_z ? ", fog's distance" : "",

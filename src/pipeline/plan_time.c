@@ -30,7 +30,7 @@ struct vertex_timing {
     const struct vertex_source *source;
     uint32_t first;
     int n; /* of the draw, at most a batch */
-    float *record;
+    unsigned char *record, *clip;
 };
 
 enum vertex_work { WORK_FETCH, WORK_VERTEX, WORK_EMIT };
@@ -40,7 +40,7 @@ static void work(const struct vertex_timing *v, const struct vertex_plan *plan, 
     switch (kind) {
     case WORK_FETCH: fgl_fetch(v->b, v->source, v->p->plan.fetch, v->first, v->n); break;
     case WORK_VERTEX: fgl_vertex_run(plan, v->b, v->p->general); break;
-    case WORK_EMIT: fgl_emit(&v->p->plan.emit, v->b, v->record); break;
+    case WORK_EMIT: fgl_emit(&v->p->plan.emit, v->b, v->record, v->clip); break;
     }
 }
 
@@ -161,17 +161,38 @@ static void time_vertices(struct text *t, const struct vertex_timing *v)
 
 /* ---- pixels ---- */
 
+static void set_slope(struct planes *p, enum fgl_arith arith, int lane, double slope)
+{
+    if (arith == ARITH_EXACT)
+        p->exact.dadx[lane] = slope;
+    else
+        p->dadx[lane] = (float)slope;
+}
+
+static void add_offset(struct planes *p, enum fgl_arith arith, double step)
+{
+    if (arith == ARITH_EXACT)
+        p->exact.z_offset += step;
+    else
+        p->z_offset += (float)step;
+}
+
+static bool nearer(const struct fragment_plan *f)
+{
+    return f->depth_func == GL_LESS || f->depth_func == GL_LEQUAL;
+}
+
 /* Planes whose z passes the test each time: nearer, or farther, with each repetition. */
 static void start_planes(struct planes *planes, const struct fragment_plan *f)
 {
     memset(planes, 0, sizeof *planes);
     for (int lane = LANE_COLOR; lane < LANE_MAX; lane++) {
-        planes->a00[lane] = 0.25f;
-        planes->dadx[lane] = 0.5f / PIXEL_WIDTH;
+        fgl_plane_set(planes, f->arith, lane, 0.25);
+        set_slope(planes, f->arith, lane, 0.5 / PIXEL_WIDTH);
     }
-    planes->a00[LANE_OOW] = 1.0f;
-    planes->a00[LANE_Z] = f->depth_func == GL_LESS || f->depth_func == GL_LEQUAL ? 0.9f : 0.1f;
-    planes->dadx[LANE_Z] = 1e-5f;
+    fgl_plane_set(planes, f->arith, LANE_OOW, 1);
+    fgl_plane_set(planes, f->arith, LANE_Z, nearer(f) ? 0.9 : 0.1);
+    set_slope(planes, f->arith, LANE_Z, 1e-5);
 }
 
 /* Nanoseconds for one pixel of the plan that the state makes. */
@@ -186,13 +207,13 @@ static double time_pixels(const struct context *ctx, const struct server_state *
     f.has_secondary = secondary;
     fgl_fragment_validate(&f, s, fb, ctx->pipeline->general);
     start_planes(&planes, &f);
-    const float step = planes.a00[LANE_Z] > 0.5f ? -0.01f : 0.01f;
+    const double step = nearer(&f) ? -0.01 : 0.01;
     for (int i = 0; i < PIXEL_ROWS; i++)
         runs.x1[i] = PIXEL_WIDTH + (runs.x0[i] = 0);
     fgl_clear_depth(fb, (struct rect){0, 0, PIXEL_WIDTH, PIXEL_ROWS}, step < 0 ? 1.0 : 0.0);
     for (int run = 0; run < RUNS; run++) {
         const double start = seconds();
-        for (int i = 0; i < PIXEL_REPEATS; i++, planes.z_offset += step)
+        for (int i = 0; i < PIXEL_REPEATS; i++, add_offset(&planes, f.arith, step))
             f.fill(&f, &planes, &runs);
         const double taken = seconds() - start;
         best = taken < best ? taken : best;
@@ -245,8 +266,9 @@ void fgl_plan_time(struct text *t, struct context *ctx, const struct vertex_sour
                                     source,
                                     first,
                                     fgl_min(vertices, FGL_BATCH_SIZE),
-                                    malloc((size_t)p->plan.emit.stride * FGL_BATCH_CAPACITY * sizeof(float))};
-    if (v.record && v.b)
+                                    malloc(p->plan.emit.record_bytes * FGL_BATCH_CAPACITY),
+                                    malloc(p->plan.emit.clip_bytes * FGL_BATCH_CAPACITY)};
+    if (v.record && v.clip && v.b)
         time_vertices(t, &v);
     if (s && fgl_framebuffer_resize(&fb, PIXEL_WIDTH, PIXEL_ROWS, like->color_kind) &&
         (!like->stencil || fgl_framebuffer_need_stencil(&fb))) {
@@ -255,5 +277,6 @@ void fgl_plan_time(struct text *t, struct context *ctx, const struct vertex_sour
     }
     fgl_framebuffer_free(&fb);
     free(v.record);
+    free(v.clip);
     free(s);
 }

@@ -55,6 +55,7 @@ static bool light(struct context *ctx, const float object[4], struct current_sta
     for (int c = 0; c < 4; c++)
         b->in[ATTR_POSITION].c[c][0] = object[c];
     fgl_vertex_run(&p->plan.vertex, b, p->general);
+    fgl_vertex_round(&p->plan.vertex, b);
     for (int c = 0; c < 4; c++)
         current->raster_color[c] = b->color[0].c[c][0];
     for (int c = 0; c < 3; c++)

@@ -1,6 +1,5 @@
 #include "pipeline/triangles.h"
 #include "pipeline/pipeline.h"
-#include "raster/coverage.h"
 
 #include <stdlib.h>
 
@@ -20,16 +19,6 @@ void fgl_triangles_free(struct triangle_list *t)
     t->triangle = NULL;
 }
 
-void fgl_triangles_snap(const float *x, const float *y, const uint32_t *outcode, int n, struct snapped *out)
-{
-    const float limit = RASTER_LIMIT;
-    for (int i = 0; i < n; i++) {
-        const bool near = (x[i] > -limit) & (x[i] < limit) & (y[i] > -limit) & (y[i] < limit) & (outcode[i] == 0);
-        out[i].x = near ? (int32_t)snap(x[i]) : SNAP_SPECIAL;
-        out[i].y = near ? (int32_t)snap(y[i]) : 0;
-    }
-}
-
 void fgl_triangles_add_special(struct pipeline *p, uint32_t a, uint32_t b, uint32_t c)
 {
     const uint32_t *out = p->cache.outcode;
@@ -44,18 +33,18 @@ void fgl_triangles_add_special(struct pipeline *p, uint32_t a, uint32_t b, uint3
 static void fill_triangle(struct pipeline *p, const struct raster_plan *raster, const struct listed_triangle *t)
 {
     const struct vertex_cache *v = &p->cache;
-    const size_t stride = (size_t)p->plan.emit.stride;
+    const struct emit_plan *emit = &p->plan.emit;
     const uint32_t a = t->a, b = t->b, c = t->c;
-    const float *va = v->record + a * stride, *vb = v->record + b * stride, *vc = v->record + c * stride;
+    const void *va = fgl_cache_record(v, emit, a), *vb = fgl_cache_record(v, emit, b), *vc = fgl_cache_record(v, emit, c);
     if (!t->clip) {
         fgl_raster_triangle(raster, va, vb, vc, vc);
         return;
     }
     const struct clip_vertices in = {.record = {va, vb, vc},
-                                     .clip = {v->clip[a], v->clip[b], v->clip[c]},
+                                     .clip = {fgl_cache_clip(v, emit, a), fgl_cache_clip(v, emit, b), fgl_cache_clip(v, emit, c)},
                                      .provoking = vc,
                                      .outcode = v->outcode[a] | v->outcode[b] | v->outcode[c]};
-    fgl_clip_triangle(p, raster, &in);
+    p->plan.clip->triangle(p, raster, &in);
 }
 
 /* Fills all triangles of the list within the rows of one band. */

@@ -10,13 +10,6 @@ struct pipeline;
 
 enum { TRIANGLES_MAX = 1 << 16 };
 
-/* A vertex's window position in 1/256 pixel, as the rasterizer rounds it: facing and extent of a triangle are read off three of these.
- * SNAP_SPECIAL in x: outside of the view volume, or too far away for the rasterizer: see outcode and record. */
-struct snapped {
-    int32_t x, y;
-};
-#define SNAP_SPECIAL INT32_MIN
-
 /* Numbers of vertices in the cache, c provoking. */
 struct listed_triangle {
     uint32_t a, b, c;
@@ -32,8 +25,6 @@ struct triangle_list {
 
 bool fgl_triangles_init(struct triangle_list *t);
 void fgl_triangles_free(struct triangle_list *t);
-/* n window positions: x, y arrays in, snapped out. outcode: outside where not 0. */
-void fgl_triangles_snap(const float *x, const float *y, const uint32_t *outcode, int n, struct snapped *out);
 /* A triangle with a vertex that is special. */
 void fgl_triangles_add_special(struct pipeline *p, uint32_t a, uint32_t b, uint32_t c);
 /* Draws and forgets what was gathered. */

@@ -48,13 +48,15 @@ static bool decomposed(const struct raster_plan *r)
 static void update_emit(struct plan *plan)
 {
     struct emit_plan *e = &plan->emit;
+    const enum fgl_arith arith = plan->vertex.arith;
     e->color = plan->fragment.color_source != COLOR_CONSTANT;
     e->secondary = plan->fragment.has_secondary;
     e->fog = plan->fragment.has_fog;
     e->two_sided = plan->vertex.lighting && plan->vertex.light.two_sided;
     e->lanes = e->fog || e->secondary ? LANE_TEX0 : e->color ? LANE_SECONDARY : LANE_COLOR;
     e->back_lane = e->lanes;
-    e->stride = e->lanes + (e->two_sided ? (e->secondary ? 8 : 4) : 0);
+    fgl_emit_layout(e, arith, e->lanes + (e->two_sided ? (e->secondary ? 8 : 4) : 0));
+    plan->clip = fgl_clip_kernels(arith);
     struct raster_plan *r = &plan->raster;
     r->stride = e->stride;
     r->lanes = e->lanes;
@@ -68,6 +70,7 @@ static void update_fragment(struct context *ctx, struct pipeline *p, uint32_t va
 {
     struct plan *plan = &p->plan;
     struct fragment_plan *f = &plan->fragment;
+    f->arith = fgl_context_arith(ctx);
     f->color_source = color_source(&ctx->s, varying);
     for (int i = 0; i < 4; i++)
         f->constant_color[i] = fgl_clamp01(ctx->s.current.attr[ATTR_COLOR][i]); /* GL 1.5, 2.14.6 */

@@ -17,19 +17,16 @@
 #ifndef FGL_RASTER_COVERAGE_H
 #define FGL_RASTER_COVERAGE_H
 
-#include <math.h>
-#include <string.h>
-
-#include "base/arith_fma.h"
+#include "base/arith.h"
 #include "raster/raster.h"
 
 /* Primitives with a coordinate of this many pixels or more are not drawn; no viewport that GL accepts leads
  * there. */
 enum { RASTER_LIMIT = 1 << 17 };
 
-static inline bool within_limit(const float *v) /* false for NaN */
+static inline bool within_limit(const real *v) /* false for NaN */
 {
-    return fabsf(v[LANE_X]) < (float)RASTER_LIMIT && fabsf(v[LANE_Y]) < (float)RASTER_LIMIT;
+    return r_abs(v[LANE_X]) < RASTER_LIMIT && r_abs(v[LANE_Y]) < RASTER_LIMIT;
 }
 
 #define ROUNDING_MAGIC 6755399441055744.0 /* 1.5 * 2^52: the last place of a sum with it is 1 */
@@ -41,9 +38,9 @@ static FGL_ALWAYS_INLINE int64_t round_even(double v)
 }
 
 /* OSMesa rule: a triangle's window coordinate goes to the nearest 1/256 pixel, half to even. */
-static FGL_ALWAYS_INLINE int64_t snap(float v)
+static FGL_ALWAYS_INLINE int64_t snap(real v)
 {
-    return round_even((double)((v - 0.5f) * 256.0f));
+    return round_even((double)((v - (real)0.5) * 256));
 }
 
 static FGL_ALWAYS_INLINE int64_t min2(int64_t a, int64_t b)

@@ -1,12 +1,13 @@
-/* Filled polygons (GL 1.5, 3.5 "Polygons"), for one instruction set. The build compiles this file once for
- * each set, with FGL_ISA naming it (sse2, avx2, avx512; base elsewhere) and the compiler's options to match.
- */
+/* Filled polygons (GL 1.5, 3.5 "Polygons"), and what is made of them, for one instruction set and one arithmetic. The
+ * build compiles this file once for each set, with FGL_ISA naming it (sse2, avx2, avx512; base elsewhere) and the
+ * compiler's options to match, and for each arithmetic, with FGL_ARITH naming it. */
+#include "base/batch_results.h"
 #include "raster/coverage.h"
 #include "raster/setup.h"
 
 /* The planes of a triangle whose facing is known. Vertices are in set-up order. */
 static FGL_ALWAYS_INLINE void setup_planes(const struct raster_plan *plan, struct planes *planes,
-                                           const float *const v[3], const float *provoking, bool front)
+                                           const real *const v[3], const real *provoking, bool front)
 {
     const struct gradients g = gradients_of(v);
     const bool back = plan->two_sided && !front, secondary = plan->fragment->has_secondary;
@@ -22,14 +23,14 @@ static FGL_ALWAYS_INLINE void setup_planes(const struct raster_plan *plan, struc
         if (secondary)
             plane_lanes(planes, LANE_SECONDARY, 3, true, &g, v, color + 4);
     }
-    planes->z_offset = plan->offset_fill ? polygon_offset(plan, v) : 0.0f;
+    PLANES(planes)->z_offset = plan->offset_fill ? polygon_offset(plan, v) : 0;
     planes->smoothing = SMOOTH_NONE;
     planes->stipple = plan->polygon_stipple ? plan->stipple : NULL;
 }
 
 /* The triangles of a smooth line or point: no culling, no offset, no stipple. */
 static void setup_smooth_planes(const struct raster_plan *plan, struct planes *planes,
-                                const float *const v[3], const float *provoking, enum smoothing smoothing)
+                                const real *const v[3], const real *provoking, enum smoothing smoothing)
 {
     const struct gradients g = gradients_of(v);
     for (int lane = LANE_COLOR; lane < plan->lanes; lane += LANE_GROUP)
@@ -38,14 +39,14 @@ static void setup_smooth_planes(const struct raster_plan *plan, struct planes *p
     plane_lanes(planes, LANE_SMOOTH, 4, true, &g, v, LANE_SMOOTH);
     if (plan->flat)
         flat_planes(planes, provoking + LANE_COLOR, plan->fragment->has_secondary);
-    planes->z_offset = 0.0f;
+    PLANES(planes)->z_offset = 0;
     planes->smoothing = smoothing;
     planes->stipple = NULL;
 }
 
 /* Snaps, orients, culls, covers; then set-up, but only if a pixel is covered, and the fragments. */
-static FGL_ALWAYS_INLINE void draw_triangle(const struct raster_plan *plan, const float *v0, const float *v1,
-                                            const float *v2, const float *provoking,
+static FGL_ALWAYS_INLINE void draw_triangle(const struct raster_plan *plan, const real *v0, const real *v1,
+                                            const real *v2, const real *provoking,
                                             const enum smoothing smoothing)
 {
     const struct polygon p = {{snap(v0[LANE_X]), snap(v1[LANE_X]), snap(v2[LANE_X])},
@@ -61,7 +62,7 @@ static FGL_ALWAYS_INLINE void draw_triangle(const struct raster_plan *plan, cons
     if (area == 0 || (!smoothing && (ccw ? plan->cull_ccw : plan->cull_cw)))
         return;
 
-    const float *const v[3] = {ccw ? v0 : v1, ccw ? v1 : v0, v2}; /* in set-up order */
+    const real *const v[3] = {ccw ? v0 : v1, ccw ? v1 : v0, v2}; /* in set-up order */
     const struct fragment_plan *fragment = plan->fragment;
     fragment_fill_fn *fill = smoothing || plan->polygon_stipple ? fragment->general : fragment->fill;
     struct edges edges;
@@ -82,14 +83,15 @@ static FGL_ALWAYS_INLINE void draw_triangle(const struct raster_plan *plan, cons
     }
 }
 
-static void triangle(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2,
-                     const float *provoking)
+static void triangle(const struct raster_plan *plan, const void *v0, const void *v1, const void *v2,
+                     const void *provoking)
 {
     draw_triangle(plan, v0, v1, v2, provoking, SMOOTH_NONE);
 }
 
-static void smooth_triangle(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2,
-                            const float *provoking, enum smoothing smoothing)
+/* Half of a smooth line or point; the vertices have LANE_SMOOTH. */
+static void smooth_triangle(const struct raster_plan *plan, const real *v0, const real *v1, const real *v2,
+                            const real *provoking, enum smoothing smoothing)
 {
     if (smoothing == SMOOTH_LINE)
         draw_triangle(plan, v0, v1, v2, provoking, SMOOTH_LINE);
@@ -97,6 +99,7 @@ static void smooth_triangle(const struct raster_plan *plan, const float *v0, con
         draw_triangle(plan, v0, v1, v2, provoking, SMOOTH_POINT);
 }
 
+/* A convex polygon of four corners, counter-clockwise as GL sees it. */
 static void quad(const struct raster_plan *plan, const struct polygon *corners, const struct planes *planes)
 {
     const struct extent extent = extent_of(corners, POLYGON_EDGES);
@@ -114,8 +117,21 @@ static void quad(const struct raster_plan *plan, const struct polygon *corners, 
             plan->fragment->fill(plan->fragment, planes, &runs);
 }
 
-#define NAME_OF(isa) fgl_raster_kernels_##isa
-#define KERNELS(isa) NAME_OF(isa)
+static void snap_vertices(const struct vertex_batch *batch, struct snapped *out)
+{
+    const real limit = RASTER_LIMIT;
+    const real *x = RESULTS(batch)->win.c[0], *y = RESULTS(batch)->win.c[1];
+    for (int i = 0; i < batch->n; i++) {
+        const bool near =
+                (x[i] > -limit) & (x[i] < limit) & (y[i] > -limit) & (y[i] < limit) & (batch->outcode[i] == 0);
+        out[i].x = near ? (int32_t)snap(x[i]) : SNAP_SPECIAL;
+        out[i].y = near ? (int32_t)snap(y[i]) : 0;
+    }
+}
 
-extern const struct raster_kernels KERNELS(FGL_ISA);
-const struct raster_kernels KERNELS(FGL_ISA) = {triangle, smooth_triangle, quad};
+#include "raster/line_kernel.h"
+#include "raster/point_kernel.h"
+#include "raster/polygon_kernel.h"
+
+extern const struct raster_kernels FGL_KERNELS(raster);
+const struct raster_kernels FGL_KERNELS(raster) = {triangle, polygon_mode, draw_line, draw_point, snap_vertices};

@@ -1,13 +1,14 @@
 /* Rasterization (GL 1.5, chapter 3): from window-space vertices to runs of covered pixels. Layer 3. Has never
  * heard of a light.
  *
- * A raster vertex is an array of floats (enum LANE_* in fragment/fragment.h): window x, y (y down), z in
+ * A raster vertex is an array of floats, of doubles in FIXEDGL_EXACT (enum LANE_* in fragment/fragment.h): window x, y (y down), z in
  * [0,1], 1/w_clip; then attributes, raw: set-up multiplies smooth ones by 1/w. The record is
- * raster_plan.stride floats long; when two_sided, the back face's colour (4 lanes) and secondary colour (3
+ * raster_plan.stride lanes long; when two_sided, the back face's colour (4 lanes) and secondary colour (3
  * more, when the fragment plan has one) stand at back_lane. */
 #ifndef FGL_RASTER_RASTER_H
 #define FGL_RASTER_RASTER_H
 
+#include "base/batch.h"
 #include "fragment/fragment.h"
 
 /* Corners in units of 1/256 pixel; pixel centres are multiples of 256. */
@@ -16,26 +17,34 @@ struct polygon {
     int64_t x[POLYGON_EDGES], y[POLYGON_EDGES];
 };
 
-/* The kernels of one instruction set (kernels.c). Every set gives the same bytes. */
+/* A vertex's window position in 1/256 pixel, as the rasterizer rounds it: facing and extent of a triangle are read off
+ * three of these. SNAP_SPECIAL in x: outside of the view volume, or too far away for the rasterizer. */
+struct snapped {
+    int32_t x, y;
+};
+#define SNAP_SPECIAL INT32_MIN
+
+/* The kernels of one instruction set and one arithmetic (kernels.c). Every set gives the same bytes. Vertices and
+ * provoking vertices are raster vertices. */
 struct raster_plan;
-typedef void raster_triangle_fn(const struct raster_plan *plan, const float *v0, const float *v1,
-                                const float *v2, const float *provoking);
+typedef void raster_triangle_fn(const struct raster_plan *plan, const void *v0, const void *v1, const void *v2,
+                                const void *provoking);
+typedef void raster_line_fn(const struct raster_plan *plan, const void *v0, const void *v1, const void *provoking,
+                            int *stipple_counter);
+typedef void raster_point_fn(const struct raster_plan *plan, const void *v, float size);
 struct raster_kernels {
     raster_triangle_fn *triangle;
-    /* half of a smooth line or point; the vertices have LANE_SMOOTH */
-    void (*smooth_triangle)(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2,
-                            const float *provoking, enum smoothing smoothing);
-    /* a convex polygon of four corners, counter-clockwise as GL sees it */
-    void (*quad)(const struct raster_plan *plan, const struct polygon *corners, const struct planes *planes);
+    void (*polygon_mode)(const struct raster_plan *plan, const void *v0, const void *v1, const void *v2,
+                         const void *provoking, unsigned edges, int *stipple_counter);
+    raster_line_fn *line;
+    raster_point_fn *point;
+    /* the window positions of a batch */
+    void (*snap)(const struct vertex_batch *batch, struct snapped *out);
 };
-
-typedef void raster_line_fn(const struct raster_plan *plan, const float *v0, const float *v1,
-                            const float *provoking, int *stipple_counter);
-typedef void raster_point_fn(const struct raster_plan *plan, const float *v, float size);
 
 struct raster_plan {
     const struct raster_kernels *kernels;
-    raster_triangle_fn *triangle; /* the kernel, or the longer road of polygon.c */
+    raster_triangle_fn *triangle; /* the kernel, or the longer road of polygon_kernel.h */
     bool longer_road;
     /* What becomes of primitives at the end of the longer road, of lines and of points: they are drawn, or
      * taken by feedback or selection (pipeline/feedback.h), whose context `taker` is. */
@@ -45,7 +54,7 @@ struct raster_plan {
     struct context *taker;
     struct rect bounds; /* framebuffer and scissor: the only rectangle that bounds pixels (the viewport does
                            not) */
-    int stride;         /* floats from a raster vertex to the next */
+    int stride;         /* lanes from a raster vertex to the next */
     int lanes;          /* lanes to set up planes for, 4..LANE_MAX */
     bool flat;          /* colour lanes come from the provoking vertex, raw */
     bool two_sided;
@@ -68,8 +77,8 @@ struct raster_plan {
 };
 
 /* The kernels of the processor's best instruction set, and of any that fgl_cpu_has. */
-const struct raster_kernels *fgl_raster_kernels(void);
-const struct raster_kernels *fgl_raster_kernels_of(enum fgl_isa isa);
+const struct raster_kernels *fgl_raster_kernels(enum fgl_arith arith);
+const struct raster_kernels *fgl_raster_kernels_of(enum fgl_isa isa, enum fgl_arith arith);
 
 /* The pixels that may be drawn, y down: the framebuffer's, within the scissor rectangle when that test is
  * enabled. */
@@ -81,8 +90,8 @@ void fgl_raster_validate(struct raster_plan *plan, const struct server_state *s,
 
 /* A filled triangle in the order that set-up must see; `provoking` is the vertex flat colours come from.
  * Culls by snapped area. Draws nothing when a coordinate is NaN or infinite. */
-static inline void fgl_raster_triangle(const struct raster_plan *plan, const float *v0, const float *v1,
-                                       const float *v2, const float *provoking)
+static inline void fgl_raster_triangle(const struct raster_plan *plan, const void *v0, const void *v1, const void *v2,
+                                       const void *provoking)
 {
     plan->triangle(plan, v0, v1, v2, provoking);
 }
@@ -91,23 +100,22 @@ static inline void fgl_raster_triangle(const struct raster_plan *plan, const flo
  * v_i to v_(i+1)%3 is a boundary. The line stipple starts anew unless the triangle goes on with the polygon
  * of the one before. */
 enum { EDGES_ALL = 7, EDGES_GO_ON = 8 };
-void fgl_raster_polygon_mode(const struct raster_plan *plan, const float *v0, const float *v1,
-                             const float *v2, const float *provoking, unsigned edges, int *stipple_counter);
+static inline void fgl_raster_polygon_mode(const struct raster_plan *plan, const void *v0, const void *v1, const void *v2,
+                                           const void *provoking, unsigned edges, int *stipple_counter)
+{
+    plan->kernels->polygon_mode(plan, v0, v1, v2, provoking, edges, stipple_counter);
+}
 
 /* stipple_counter runs along a strip or loop; reset to 0 by the caller where GL says. */
-static inline void fgl_raster_line(const struct raster_plan *plan, const float *v0, const float *v1,
-                                   const float *provoking, int *stipple_counter)
+static inline void fgl_raster_line(const struct raster_plan *plan, const void *v0, const void *v1, const void *provoking,
+                                   int *stipple_counter)
 {
     plan->line(plan, v0, v1, provoking, stipple_counter);
 }
 
-static inline void fgl_raster_point(const struct raster_plan *plan, const float *v, float size)
+static inline void fgl_raster_point(const struct raster_plan *plan, const void *v, float size)
 {
     plan->point(plan, v, size);
 }
-
-/* line.c, point.c: what draws them. */
-raster_line_fn fgl_raster_draw_line;
-raster_point_fn fgl_raster_draw_point;
 
 #endif

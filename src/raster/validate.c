@@ -24,15 +24,15 @@ struct rect fgl_raster_bounds(const struct scissor_state *scissor, const struct 
     return r;
 }
 
-/* OSMesa rule: these states send all triangles the longer road (polygon.c). */
+/* OSMesa rule: these states send all triangles the longer road (polygon_kernel.h). */
 static bool takes_longer_road(const struct raster_plan *plan)
 {
     return plan->polygon_mode[0] != GL_FILL || plan->polygon_mode[1] != GL_FILL || plan->polygon_stipple ||
            plan->line_stipple || plan->line_smooth || plan->point_smooth;
 }
 
-static void filled_triangle(const struct raster_plan *plan, const float *v0, const float *v1, const float *v2,
-                            const float *provoking)
+static void filled_triangle(const struct raster_plan *plan, const void *v0, const void *v1, const void *v2,
+                            const void *provoking)
 {
     fgl_raster_polygon_mode(plan, v0, v1, v2, provoking, EDGES_ALL, NULL);
 }
@@ -41,10 +41,10 @@ void fgl_raster_validate(struct raster_plan *plan, const struct server_state *s,
                          const struct fragment_plan *fragment)
 {
     const struct polygon_state *polygon = &s->polygon;
-    plan->kernels = fgl_raster_kernels();
+    plan->kernels = fgl_raster_kernels(fragment->arith);
     plan->filled = plan->kernels->triangle;
-    plan->line = fgl_raster_draw_line;
-    plan->point = fgl_raster_draw_point;
+    plan->line = plan->kernels->line;
+    plan->point = plan->kernels->point;
     plan->bounds = fgl_raster_bounds(&s->scissor, fragment->fb);
     plan->framebuffer_height = fragment->fb->height;
     plan->fragment = fragment;

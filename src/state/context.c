@@ -200,6 +200,11 @@ static GLenum accuracy_from_environment(void)
     return name && strcmp(name, "exact") == 0 ? FIXEDGL_EXACT : FIXEDGL_COMPATIBLE;
 }
 
+enum fgl_arith fgl_context_arith(const struct context *ctx)
+{
+    return ctx->accuracy == FIXEDGL_EXACT ? ARITH_EXACT : ARITH_COMPATIBLE;
+}
+
 void fgl_state_init(struct context *ctx)
 {
     memset(&ctx->s, 0, sizeof ctx->s); /* every value that the functions above leave out starts as 0, false or GL_NONE */

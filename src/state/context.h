@@ -7,6 +7,7 @@
 #define FGL_STATE_CONTEXT_H
 
 #include "base/batch.h"
+#include "base/cpu.h"
 #include "base/fgl.h"
 #include "base/limits.h"
 #include "state/dirty.h"
@@ -64,6 +65,7 @@ struct transform_state {
     bool normalize, rescale_normal;
     unsigned clip_plane_enabled;                       /* bit i: GL_CLIP_PLANEi */
     float clip_plane[FGL_MAX_CLIP_PLANES][4]; /* eye space */
+    double exact_clip_plane[FGL_MAX_CLIP_PLANES][4]; /* the same, never rounded to float */
 };
 
 struct viewport_state {
@@ -307,7 +309,7 @@ struct context {
     struct feedback_state feedback;
     struct selection_state selection;
 
-    GLenum accuracy; /* FIXEDGL_COMPATIBLE or FIXEDGL_EXACT */
+    GLenum accuracy; /* FIXEDGL_COMPATIBLE or FIXEDGL_EXACT: see fgl_context_arith */
 
     /* The layers above, each known only to its own files. */
     struct immediate *immediate;     /* api/immediate.h: vertices between Begin and End */
@@ -324,6 +326,9 @@ struct context {
 
 /* The context that is current in the calling thread, or NULL. */
 extern _Thread_local FGL_TLS_FAST struct context *fgl_current;
+
+/* The arithmetic that its kernels use. */
+enum fgl_arith fgl_context_arith(const struct context *ctx);
 
 /* Sets every value to the initial value of the state tables. */
 void fgl_state_init(struct context *ctx);

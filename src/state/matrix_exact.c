@@ -99,6 +99,39 @@ void fgl_exact_transform(double r[4], const double m[16], const float v[4], int 
     }
 }
 
+/* Solves r * m = p by elimination with column pivots. */
+void fgl_exact_transform_plane(double r[4], const double m[16], const double p[4])
+{
+    double row[4][5]; /* equation c: the sum of r[k] * m[k, c] is p[c] */
+
+    for (int c = 0; c < 4; c++) {
+        memcpy(row[c], m + 4 * c, 4 * sizeof(double));
+        row[c][4] = p[c];
+    }
+    for (int k = 0; k < 4; k++) {
+        int pivot = k;
+        for (int i = k + 1; i < 4; i++)
+            pivot = fabs(row[i][k]) > fabs(row[pivot][k]) ? i : pivot;
+        for (int c = 0; c < 5; c++) {
+            const double swapped = row[k][c];
+            row[k][c] = row[pivot][c];
+            row[pivot][c] = swapped;
+        }
+        for (int i = 0; i < 4; i++) {
+            const double factor = row[i][k] / row[k][k];
+            for (int c = k; i != k && c < 5; c++)
+                row[i][c] -= factor * row[k][c];
+        }
+    }
+    bool regular = true;
+    for (int k = 0; k < 4; k++) {
+        r[k] = row[k][4] / row[k][k];
+        regular = regular && isfinite(r[k]);
+    }
+    for (int k = 0; k < 4 && !regular; k++)
+        r[k] = 0;
+}
+
 /* The inverse. Sums of products cancel where a matrix is nearly singular, so they are formed in pairs of doubles:
  * hi + lo, lo what the rounding of hi left. */
 

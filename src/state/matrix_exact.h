@@ -18,6 +18,9 @@ void fgl_exact_ortho(double m[16], double l, double r, double b, double t, doubl
 /* r[row] = row of m . v, of `count` components. */
 void fgl_exact_transform(double r[4], const double m[16], const float v[4], int count);
 
+/* The plane p of object space in eye space, p * inverse(m); 0 where m is singular. */
+void fgl_exact_transform_plane(double r[4], const double m[16], const double p[4]);
+
 /* The inverse of the upper 3x3, whatever the matrix's class: inv[row][column]. Returns false when there is none:
  * then inv is the cofactors' matrix, transposed as the inverse is: its limit up to scale. */
 bool fgl_exact_inverse3(double inv[3][3], const double m[16]);

@@ -1,6 +1,5 @@
 /* Derives the numbers that FIXEDGL_EXACT reads (GL 1.5, 2.14.1 "Lighting"), in double from the state's doubles. What
  * to compute was decided by light.c. */
-#include "fixedgl.h"
 #include "state/matrix_exact.h"
 #include "vertex/vertex.h"
 
@@ -209,5 +208,5 @@ void fgl_exact_light_validate(struct vertex_plan *plan, struct context *ctx)
     }
     derive_base(out, &plan->light);
     derive_normals(out, &ctx->s.transform, out->modelview);
-    out->needed = plan->accuracy != FIXEDGL_EXACT && is_needed(plan, ctx);
+    out->needed = plan->arith != ARITH_EXACT && is_needed(plan, ctx);
 }

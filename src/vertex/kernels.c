@@ -1,14 +1,14 @@
 /* The vertex kernels of one instruction set and one arithmetic, and the order in which a plan runs them.
  *
  * The build compiles this file once for each instruction set, with FGL_ISA naming it (sse2, avx2, avx512;
- * base elsewhere) and the compiler's options to match, and for each arithmetic, with FGL_ARITH naming it. A kernel is written once, always inlined with constant
- * flags, and instantiated here by one-line wrappers. */
+ * base elsewhere) and the compiler's options to match, and for each arithmetic, with FGL_ARITH naming it. A kernel is
+ * written once, always inlined with constant flags, and instantiated here by one-line wrappers. */
+#include "base/cpu.h"
+#include "vertex/emit_kernel.h"
 #include "vertex/light_kernel.h"
 #include "vertex/transform_kernel.h"
 
-#define NAME_OF(isa, arith) fgl_vertex_kernels_##isa##_##arith
 #define STRING_OF(isa) #isa
-#define KERNELS(isa, arith) NAME_OF(isa, arith)
 #define ISA_STRING(isa) STRING_OF(isa)
 
 /* Normals: [to eye space][scaling] */
@@ -100,9 +100,16 @@ static void note3(double to[3], real from[3][VERTEX_CHUNK])
 static void run_positions(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n)
 {
     transform_positions(plan, b, first, n);
+#if R_EXACT
+    real_lanes4 *position = &b->exact.eye;
+    if (plan->user_planes)
+        keep_eye(plan, b, first, n);
+#else
+    real_lanes4 *position = &b->clip;
+#endif
     for (int i = 0; i < FGL_MAX_CLIP_PLANES; i++)
         if (plan->user_planes >> i & 1)
-            test_user_plane(plan->user_plane_clip[i], (uint32_t)CLIP_USER0 << i, b, first, n);
+            test_user_plane(PLAN_NUMBERS(plan)->user_plane[i], position, (uint32_t)CLIP_USER0 << i, b, first, n);
 }
 
 static void run_normals(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n,
@@ -123,6 +130,7 @@ static void run_face(const struct vertex_plan *vertex, struct vertex_batch *b, i
     const struct lighting_plan *plan = &vertex->light;
     const light_numbers *lights = PLAN_LIGHTS(vertex);
     const int alpha = plan->source[MAT_DIFFUSE][face];
+    real_lanes4 *color = &RESULTS(b)->color[face];
 
     if (plan->varying)
         start_varying(plan, b, first, n, face, work);
@@ -144,19 +152,19 @@ static void run_face(const struct vertex_plan *vertex, struct vertex_batch *b, i
         note3(trace->specular_sum, work->specular);
     }
 
-    clamp_sums(work->color, &b->color[face], first, n);
+    clamp_sums(work->color, color, first, n);
     if (alpha < 0)
-        fill_lane(fgl_clamp01(plan->base[face][3]), b->color[face].c[3] + first, n);
+        fill_lane((real)fgl_clamp01(plan->base[face][3]), color->c[3] + first, n);
     else
-        clamp_lane(b->in[alpha].c[3] + first, b->color[face].c[3] + first, n);
+        clamp_lane(b->in[alpha].c[3] + first, color->c[3] + first, n);
     if (plan->separate_specular)
-        clamp_sums(work->specular, &b->secondary[face], first, n);
+        clamp_sums(work->specular, &RESULTS(b)->secondary[face], first, n);
 }
 
 static void run_colors(struct vertex_batch *b, int first, int n)
 {
     for (int c = 0; c < 4; c++)
-        clamp_lane(b->in[ATTR_COLOR].c[c] + first, b->color[0].c[c] + first, n);
+        clamp_lane(b->in[ATTR_COLOR].c[c] + first, RESULTS(b)->color[0].c[c] + first, n);
 }
 
 /* Returns whether a vertex is extreme. */
@@ -210,7 +218,7 @@ static bool run_chunk(const struct vertex_plan *plan, struct vertex_batch *b, in
 
     run_positions(plan, b, first, n);
     if (plan->need_fog_z)
-        eye_distance(plan, b, first, n, b->fog_z);
+        eye_distance(plan, b, first, n, RESULTS(b)->fog_z);
     if (plan->need_point_size)
         point_sizes(plan, b, first, n);
     if (plan->color_is_varying)
@@ -237,6 +245,6 @@ static bool trace_vertex(const struct vertex_plan *plan, struct vertex_batch *b,
     return run_chunk(plan, b, 0, 1, true, trace);
 }
 
-extern const struct vertex_kernels KERNELS(FGL_ISA, FGL_ARITH);
-const struct vertex_kernels KERNELS(FGL_ISA, FGL_ARITH) = {
-        .isa = ISA_STRING(FGL_ISA), .run = run, .light = light, .trace = trace_vertex};
+extern const struct vertex_kernels FGL_KERNELS(vertex);
+const struct vertex_kernels FGL_KERNELS(vertex) = {
+        .isa = ISA_STRING(FGL_ISA), .run = run, .light = light, .trace = trace_vertex, .emit = emit};

@@ -225,21 +225,21 @@ static FGL_ALWAYS_INLINE void start_constant(const real base[3], int n, struct v
 }
 
 /* Clamps finished sums (GL 1.5, 2.14.6 "Clamping or Masking"). */
-static FGL_ALWAYS_INLINE void clamp_sums(real sum[3][VERTEX_CHUNK], struct lanes4 *FGL_RESTRICT out,
+static FGL_ALWAYS_INLINE void clamp_sums(real sum[3][VERTEX_CHUNK], real_lanes4 *FGL_RESTRICT out,
                                          int first, int n)
 {
     for (int c = 0; c < 3; c++)
         for (int i = 0, end = whole_groups(n); i < end; i++)
-            out->c[c][first + i] = (float)r_clamp01(sum[c][i]);
+            out->c[c][first + i] = r_clamp01(sum[c][i]);
 }
 
-static FGL_ALWAYS_INLINE void clamp_lane(const float *FGL_RESTRICT in, float *FGL_RESTRICT out, int n)
+static FGL_ALWAYS_INLINE void clamp_lane(const float *FGL_RESTRICT in, real *FGL_RESTRICT out, int n)
 {
     for (int i = 0, end = whole_groups(n); i < end; i++)
-        out[i] = fgl_clamp01(in[i]);
+        out[i] = (real)fgl_clamp01(in[i]);
 }
 
-static FGL_ALWAYS_INLINE void fill_lane(float value, float *out, int n)
+static FGL_ALWAYS_INLINE void fill_lane(real value, real *out, int n)
 {
     for (int i = 0, end = whole_groups(n); i < end; i++)
         out[i] = value;

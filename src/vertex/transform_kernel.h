@@ -11,38 +11,52 @@ static FGL_ALWAYS_INLINE void transform_positions(const struct vertex_plan *FGL_
                                                   struct vertex_batch *FGL_RESTRICT b, int first, int n)
 {
     const real *m = PLAN_NUMBERS(plan)->mvp;
-    const float *scale = plan->viewport_scale, *trans = plan->viewport_trans;
+    const real *scale = PLAN_NUMBERS(plan)->viewport_scale, *trans = PLAN_NUMBERS(plan)->viewport_trans;
+    real_lanes4 *clip = &RESULTS(b)->clip, *win = &RESULTS(b)->win;
 
     for (int i = first, end = first + whole_groups(n); i < end; i++) {
         struct real4 p = load_position(b, i);
-        real exact_x = r_row4(p, m), exact_y = r_row4(p, m + 1);
-        real exact_z = r_row4(p, m + 2), exact_w = r_row4(p, m + 3), oow = 1 / exact_w;
-        float x = (float)exact_x, y = (float)exact_y, z = (float)exact_z, w = (float)exact_w;
+        real x = r_row4(p, m), y = r_row4(p, m + 1), z = r_row4(p, m + 2), w = r_row4(p, m + 3), oow = 1 / w;
 
-        b->clip.c[0][i] = x;
-        b->clip.c[1][i] = y;
-        b->clip.c[2][i] = z;
-        b->clip.c[3][i] = w;
-        b->win.c[0][i] = (float)r_fma(exact_x * oow, (real)scale[0], (real)trans[0]);
-        b->win.c[1][i] = (float)r_fma(exact_y * oow, (real)scale[1], (real)trans[1]);
-        b->win.c[2][i] = (float)r_fma(exact_z * oow, (real)scale[2], (real)trans[2]);
-        b->win.c[3][i] = (float)oow;
+        clip->c[0][i] = x;
+        clip->c[1][i] = y;
+        clip->c[2][i] = z;
+        clip->c[3][i] = w;
+        win->c[0][i] = r_fma(x * oow, scale[0], trans[0]);
+        win->c[1][i] = r_fma(y * oow, scale[1], trans[1]);
+        win->c[2][i] = r_fma(z * oow, scale[2], trans[2]);
+        win->c[3][i] = oow;
         b->outcode[i] = (x > w ? CLIP_RIGHT : 0u) | (x + w < 0 ? CLIP_LEFT : 0u) | (y > w ? CLIP_TOP : 0u) |
                         (y + w < 0 ? CLIP_BOTTOM : 0u) | (z + w < 0 ? CLIP_NEAR : 0u) |
                         (z > w ? CLIP_FAR : 0u);
     }
 }
 
-/* GL 1.5, 2.12: the half-space of a client-defined plane, here in clip space: OSMesa rule. */
-static FGL_ALWAYS_INLINE void test_user_plane(const float plane[4], uint32_t bit,
+/* GL 1.5, 2.12: the half-space of a client-defined plane. OSMesa rule: in clip space; exact: in eye space. */
+static FGL_ALWAYS_INLINE void test_user_plane(const real plane[4], real_lanes4 *FGL_RESTRICT position, uint32_t bit,
                                               struct vertex_batch *FGL_RESTRICT b, int first, int n)
 {
     for (int i = first, end = first + whole_groups(n); i < end; i++) {
-        float xy = fgl_fma(plane[1], b->clip.c[1][i], plane[0] * b->clip.c[0][i]);
-        float d = fgl_fma(plane[3], b->clip.c[3][i], fgl_fma(plane[2], b->clip.c[2][i], xy));
+        real xy = r_fma(plane[1], position->c[1][i], plane[0] * position->c[0][i]);
+        real d = r_fma(plane[3], position->c[3][i], r_fma(plane[2], position->c[2][i], xy));
         b->outcode[i] |= d < 0 ? bit : 0u;
     }
 }
+
+/* Eye coordinates as they are, for user clip planes. */
+#if R_EXACT
+static FGL_ALWAYS_INLINE void keep_eye(const struct vertex_plan *FGL_RESTRICT plan, struct vertex_batch *FGL_RESTRICT b,
+                                       int first, int n)
+{
+    const real *m = PLAN_NUMBERS(plan)->modelview;
+
+    for (int i = first, end = first + whole_groups(n); i < end; i++) {
+        struct real4 p = load_position(b, i);
+        for (int row = 0; row < 4; row++)
+            b->exact.eye.c[row][i] = r_row4(p, m + row);
+    }
+}
+#endif
 
 static FGL_ALWAYS_INLINE void transform_eye(const struct vertex_plan *FGL_RESTRICT plan,
                                             struct vertex_batch *FGL_RESTRICT b, int first, int n,
@@ -133,10 +147,10 @@ static FGL_ALWAYS_INLINE void transform_normals(const struct vertex_plan *FGL_RE
 /* |z| in eye space: the distance that fog and point attenuation use (GL 1.5, 3.10 "Fog"). */
 static FGL_ALWAYS_INLINE void eye_distance(const struct vertex_plan *FGL_RESTRICT plan,
                                            struct vertex_batch *FGL_RESTRICT b, int first, int n,
-                                           float *FGL_RESTRICT distance)
+                                           real *FGL_RESTRICT distance)
 {
     for (int i = first, end = first + whole_groups(n); i < end; i++)
-        distance[i] = (float)r_abs(r_row4_w_first(load_position(b, i), PLAN_NUMBERS(plan)->modelview + 2));
+        distance[i] = r_abs(r_row4_w_first(load_position(b, i), PLAN_NUMBERS(plan)->modelview + 2));
 }
 
 /* GL 1.5, 3.3 "Points": the size attenuated by distance. */

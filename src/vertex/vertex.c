@@ -1,8 +1,6 @@
 /* Validation of the vertex plan, and the run of a batch through the kernels of this CPU. */
 #include "vertex/vertex.h"
 
-#include "base/cpu.h"
-#include "fixedgl.h"
 #include "state/matrix_exact.h"
 
 #include <string.h>
@@ -18,9 +16,10 @@ static void derive_user_planes(struct vertex_plan *plan, const struct transform_
 
         if (!(plan->user_planes >> i & 1))
             continue;
+        memcpy(plan->exact.user_plane[i], transform->exact_clip_plane[i], sizeof plan->exact.user_plane[i]);
         for (int c = 0; c < 4; c++) {
             const float *column = inverse + 4 * c;
-            plan->user_plane_clip[i][c] =
+            plan->user_plane[i][c] =
                     p[0] * column[0] + p[1] * column[1] + p[2] * column[2] + p[3] * column[3];
         }
     }
@@ -41,6 +40,12 @@ static void derive_viewport(struct vertex_plan *plan, const struct viewport_stat
     plan->viewport_trans[1] = (float)framebuffer_height - (half_height + y);
     plan->viewport_scale[2] = (float)(0.5 * (far - near));
     plan->viewport_trans[2] = (float)(0.5 * (near + far));
+    for (int c = 0; c < 2; c++) { /* these are exact in float */
+        plan->exact.viewport_scale[c] = (double)plan->viewport_scale[c];
+        plan->exact.viewport_trans[c] = (double)plan->viewport_trans[c];
+    }
+    plan->exact.viewport_scale[2] = 0.5 * (far - near);
+    plan->exact.viewport_trans[2] = 0.5 * (near + far);
 }
 
 static void derive_point_size(struct vertex_plan *plan, const struct point_state *state)
@@ -69,11 +74,11 @@ void fgl_vertex_validate(struct vertex_plan *plan, struct context *ctx, uint32_t
 
     if (dirty & (DIRTY_MODELVIEW | DIRTY_PROJECTION))
         fgl_matrix_product(plan->mvp, projection->m, modelview->m);
-    plan->accuracy = (int)ctx->accuracy;
+    plan->arith = fgl_context_arith(ctx);
     if (dirty & (DIRTY_MODELVIEW | DIRTY_PROJECTION))
         fgl_exact_product(plan->exact.mvp, projection->exact, modelview->exact);
     if (dirty & DIRTY_MODELVIEW) {
-        if (plan->accuracy == FIXEDGL_EXACT)
+        if (plan->arith == ARITH_EXACT)
             memcpy(plan->exact.modelview, modelview->exact, sizeof plan->exact.modelview);
         else
             fgl_exact_load(plan->exact.modelview, modelview->m);
@@ -98,21 +103,34 @@ void fgl_vertex_validate(struct vertex_plan *plan, struct context *ctx, uint32_t
         validate_lighting(plan, ctx);
 }
 
+static void round_colors(struct vertex_batch *b, int i)
+{
+    for (int face = 0; face < 2; face++)
+        for (int c = 0; c < 4; c++) {
+            b->color[face].c[c][i] = (float)b->exact.color[face].c[c][i];
+            b->secondary[face].c[c][i] = (float)b->exact.secondary[face].c[c][i];
+        }
+}
+
+void fgl_vertex_round(const struct vertex_plan *plan, struct vertex_batch *b)
+{
+    for (int i = 0; plan->arith == ARITH_EXACT && i < b->n; i++) {
+        for (int c = 0; c < 4; c++) {
+            b->clip.c[c][i] = (float)b->exact.clip.c[c][i];
+            b->win.c[c][i] = (float)b->exact.win.c[c][i];
+        }
+        b->fog_z[i] = (float)b->exact.fog_z[i];
+        round_colors(b, i);
+    }
+}
+
 /* Lights again, in double, the chunk's vertices that are extreme. */
 static void light_extremes(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n, bool general)
 {
-    float kept[4][4][VERTEX_CHUNK];
-    struct lanes4 *const out[4] = {&b->color[0], &b->color[1], &b->secondary[0], &b->secondary[1]};
-
-    for (int k = 0; k < 4; k++)
-        for (int c = 0; c < 4; c++)
-            memcpy(kept[k][c], out[k]->c[c] + first, (size_t)n * sizeof(float));
-    fgl_vertex_kernels(FIXEDGL_EXACT)->light(plan, b, first, n, general);
-    for (int k = 0; k < 4 && !plan->exact.needed; k++)
-        for (int c = 0; c < 4; c++)
-            for (int i = 0; i < n; i++)
-                if (!b->extreme[first + i])
-                    out[k]->c[c][first + i] = kept[k][c][i];
+    fgl_vertex_kernels(ARITH_EXACT)->light(plan, b, first, n, general);
+    for (int i = first; i < first + n; i++)
+        if (plan->exact.needed || b->extreme[i])
+            round_colors(b, i);
 }
 
 static void run_chunk(const struct vertex_kernels *kernels, const struct vertex_plan *plan, struct vertex_batch *b,
@@ -125,7 +143,7 @@ static void run_chunk(const struct vertex_kernels *kernels, const struct vertex_
 
 void fgl_vertex_run(const struct vertex_plan *plan, struct vertex_batch *batch, bool general)
 {
-    const struct vertex_kernels *kernels = fgl_vertex_kernels(plan->accuracy);
+    const struct vertex_kernels *kernels = fgl_vertex_kernels(plan->arith);
     uint32_t any = 0, all = ~(uint32_t)0;
 
     for (int first = 0; first < batch->n; first += VERTEX_CHUNK)
@@ -140,33 +158,31 @@ void fgl_vertex_run(const struct vertex_plan *plan, struct vertex_batch *batch, 
 
 void fgl_vertex_trace(const struct vertex_plan *plan, struct vertex_batch *batch, struct vertex_trace *trace)
 {
-    if (fgl_vertex_kernels(plan->accuracy)->trace(plan, batch, trace) || (plan->exact.needed && plan->lighting))
-        (void)fgl_vertex_kernels(FIXEDGL_EXACT)->trace(plan, batch, trace);
+    if (fgl_vertex_kernels(plan->arith)->trace(plan, batch, trace) || (plan->exact.needed && plan->lighting))
+        (void)fgl_vertex_kernels(ARITH_EXACT)->trace(plan, batch, trace);
 }
 
-/* The kernels of each set that the build has, by mode. */
-enum { ARITH_COMPATIBLE, ARITH_EXACT, ARITH_COUNT };
-#if defined(__x86_64__)
-#define EACH_ISA(M) M(sse2) M(avx2) M(avx512)
-#else
-#define EACH_ISA(M) M(base)
-#endif
-#define DECLARE(isa) extern const struct vertex_kernels fgl_vertex_kernels_##isa##_compatible, fgl_vertex_kernels_##isa##_exact;
-#define ENTRY(isa) {&fgl_vertex_kernels_##isa##_compatible, &fgl_vertex_kernels_##isa##_exact},
-EACH_ISA(DECLARE)
-static const struct vertex_kernels *const kernels_of[FGL_ISA_COUNT][ARITH_COUNT] = {EACH_ISA(ENTRY)};
-
-static int arith_of(int accuracy)
+void fgl_emit_layout(struct emit_plan *plan, enum fgl_arith arith, int stride)
 {
-    return accuracy == FIXEDGL_EXACT ? ARITH_EXACT : ARITH_COMPATIBLE;
+    plan->arith = arith;
+    plan->stride = stride;
+    plan->record_bytes = (size_t)stride * (arith == ARITH_EXACT ? sizeof(double) : sizeof(float));
+    plan->clip_bytes = arith == ARITH_EXACT ? EXACT_CLIP_LANES * sizeof(double) : CLIP_LANES * sizeof(float);
 }
 
-const struct vertex_kernels *fgl_vertex_kernels(int accuracy)
+void fgl_emit(const struct emit_plan *plan, const struct vertex_batch *batch, void *record, void *clip)
 {
-    return kernels_of[fgl_cpu_isa()][arith_of(accuracy)];
+    fgl_vertex_kernels(plan->arith)->emit(plan, batch, record, clip);
 }
 
-const struct vertex_kernels *fgl_vertex_kernels_of(int isa, int accuracy)
+FGL_KERNEL_TABLE(vertex);
+
+const struct vertex_kernels *fgl_vertex_kernels(enum fgl_arith arith)
 {
-    return fgl_cpu_has((enum fgl_isa)isa) ? kernels_of[isa][arith_of(accuracy)] : NULL;
+    return kernels_of[fgl_cpu_isa()][arith];
+}
+
+const struct vertex_kernels *fgl_vertex_kernels_of(enum fgl_isa isa, enum fgl_arith arith)
+{
+    return fgl_cpu_has(isa) ? kernels_of[isa][arith] : NULL;
 }

@@ -7,7 +7,9 @@
 #define FGL_VERTEX_VERTEX_H
 
 #include "base/batch.h"
+#include "base/cpu.h"
 #include "state/context.h"
+#include "vertex/emit.h"
 
 enum normal_scaling { NORMAL_AS_IS, NORMAL_RESCALE, NORMAL_NORMALIZE };
 
@@ -71,6 +73,8 @@ struct exact_light {
  * where they light the vertices that float cannot, it is made of the state's floats. */
 struct exact_plan {
     double mvp[16], modelview[16];
+    double viewport_scale[3], viewport_trans[3];
+    double user_plane[FGL_MAX_CLIP_PLANES][4]; /* in eye space */
     double normal_matrix[3][3], rescale_factor;
     enum normal_scaling normal_scaling;
     bool needed; /* FIXEDGL_COMPATIBLE: no vertex can be lit in float */
@@ -79,12 +83,12 @@ struct exact_plan {
 };
 
 struct vertex_plan {
-    int accuracy; /* FIXEDGL_EXACT or FIXEDGL_COMPATIBLE */
+    enum fgl_arith arith;
     struct exact_plan exact;
     float mvp[16], modelview[16];
     float viewport_scale[3], viewport_trans[3];    /* window = fma(clip / w, scale, trans); y down */
     unsigned user_planes;                          /* bit i: enabled */
-    float user_plane_clip[FGL_MAX_CLIP_PLANES][4]; /* in clip space */
+    float user_plane[FGL_MAX_CLIP_PLANES][4];      /* in clip space */
 
     bool lighting;
     bool need_eye;    /* lighting reads eye positions: local lights or viewer */
@@ -117,6 +121,9 @@ void fgl_exact_light_validate(struct vertex_plan *plan, struct context *ctx);
 
 /* Runs the stages of the plan over the batch. general: without specialised kernels; the same bits. */
 void fgl_vertex_run(const struct vertex_plan *plan, struct vertex_batch *batch, bool general);
+
+/* Results of FIXEDGL_EXACT rounded to the batch's floats, for those who look at a vertex or two. */
+void fgl_vertex_round(const struct vertex_plan *plan, struct vertex_batch *batch);
 
 /* What the lighting equation makes of one vertex: the kernels' own values, noted by fgl_vertex_trace and
  * never looked at by them. Vectors are in the lighting space. Terms that the plan leaves out are 0, or 1 for
@@ -151,11 +158,12 @@ struct vertex_kernels {
     bool (*run)(const struct vertex_plan *plan, struct vertex_batch *batch, int first, int n, bool general);
     void (*light)(const struct vertex_plan *plan, struct vertex_batch *batch, int first, int n, bool general);
     bool (*trace)(const struct vertex_plan *plan, struct vertex_batch *batch, struct vertex_trace *trace);
+    void (*emit)(const struct emit_plan *plan, const struct vertex_batch *batch, void *record, void *clip);
 };
 
-/* The kernels that fgl_vertex_run uses for a mode (FIXEDGL_COMPATIBLE, ...); and those of one set and mode, or NULL
- * when the build or the CPU does not have it (enum fgl_isa). */
-const struct vertex_kernels *fgl_vertex_kernels(int accuracy);
-const struct vertex_kernels *fgl_vertex_kernels_of(int isa, int accuracy);
+/* The kernels that fgl_vertex_run uses for an arithmetic; and those of one set, or NULL when the build or the CPU does not
+ * have it. */
+const struct vertex_kernels *fgl_vertex_kernels(enum fgl_arith arith);
+const struct vertex_kernels *fgl_vertex_kernels_of(enum fgl_isa isa, enum fgl_arith arith);
 
 #endif

@@ -3,7 +3,7 @@
 #ifndef FGL_VERTEX_WORK_H
 #define FGL_VERTEX_WORK_H
 
-#include "base/arith.h"
+#include "base/batch_results.h"
 #include "vertex/vertex.h"
 
 /* Kernels work on whole groups of this many vertices; what they compute behind the last one is never read. */

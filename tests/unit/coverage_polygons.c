@@ -38,7 +38,7 @@ static void setup(struct bench *b, enum fgl_isa isa)
     b->fragment = (struct fragment_plan){
             .fill = record_runs, .general = record_runs, .fb = &b->fb, .lanes = LANE_COLOR};
     fgl_raster_validate(&b->raster, &b->state, &b->fragment);
-    b->raster.kernels = fgl_raster_kernels_of(isa);
+    b->raster.kernels = fgl_raster_kernels_of(isa, ARITH_COMPATIBLE);
     b->raster.triangle = b->raster.kernels->triangle;
     b->raster.lanes = LANE_COLOR;
     b->raster.flat = b->raster.two_sided = false;

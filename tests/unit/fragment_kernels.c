@@ -163,8 +163,8 @@ static unsigned logic(GLenum op, unsigned s, unsigned d, unsigned max)
 static float fog_factor(const struct fragment_plan *plan, float z)
 {
     if (plan->fog_mode == GL_LINEAR)
-        return unit(z * plan->fog_p + plan->fog_q);
-    const float t = z * plan->fog_k;
+        return unit(z * plan->fog.p + plan->fog.q);
+    const float t = z * plan->fog.k;
     return unit(r_exp2(plan->fog_mode == GL_EXP ? -t : -(t * t)));
 }
 
@@ -416,7 +416,7 @@ static void compare_kernels(enum color_kind kind, int depth_bits, bool plain)
     for (int isa = 0; isa < FGL_ISA_COUNT; isa++) {
         if (!fgl_cpu_has((enum fgl_isa)isa))
             continue;
-        const struct fragment_kernels *k = fgl_fragment_kernels_of((enum fgl_isa)isa);
+        const struct fragment_kernels *k = fgl_fragment_kernels_of((enum fgl_isa)isa, ARITH_COMPATIBLE);
         copy_pixels(&got, &start);
         k->general(&plan, &planes, &runs);
         assert_same_pixels(&want, &got);

@@ -142,7 +142,7 @@ static uint32_t reference_outcode(const struct vertex_plan *plan, const float cl
                     (z + w < 0 ? 16u : 0) | (z > w ? 32u : 0);
 
     for (int p = 0; p < FGL_MAX_CLIP_PLANES; p++) {
-        const float *plane = plan->user_plane_clip[p];
+        const float *plane = plan->user_plane[p];
         if (plan->user_planes >> p & 1 &&
             fmaf(plane[3], w, fmaf(plane[2], z, fmaf(plane[1], y, plane[0] * x))) < 0)
             code |= 64u << p;
@@ -229,8 +229,8 @@ static void run_one_set(int n)
     random_batch(batch, random_varying(), n);
     fgl_vertex_validate(plan, ctx, batch->varying, 75);
     for (int isa = 0; isa < FGL_ISA_COUNT; isa++)
-        for (int general = 0; general < 2 && fgl_vertex_kernels_of(isa, FIXEDGL_COMPATIBLE); general++) {
-            const struct vertex_kernels *kernels = fgl_vertex_kernels_of(isa, FIXEDGL_COMPATIBLE);
+        for (int general = 0; general < 2 && fgl_vertex_kernels_of((enum fgl_isa)isa, ARITH_COMPATIBLE); general++) {
+            const struct vertex_kernels *kernels = fgl_vertex_kernels_of((enum fgl_isa)isa, ARITH_COMPATIBLE);
             kernels_name = general ? "general" : kernels->isa;
             fill_outputs(batch);
             for (int first = 0; first < n; first += VERTEX_CHUNK)
@@ -245,12 +245,12 @@ static void run_one_set(int n)
 }
 
 /* The same bits, or both no number. */
-static void same_lanes(const struct lanes4 *a, const struct lanes4 *b, int n)
+static void same_lanes(const struct lanes4_exact *a, const struct lanes4_exact *b, int n)
 {
     for (int c = 0; c < 4; c++)
         for (int i = 0; i < n; i++)
             if (!isnan(a->c[c][i]) || !isnan(b->c[c][i]))
-                assert_memory_equal(&a->c[c][i], &b->c[c][i], sizeof(float));
+                assert_memory_equal(&a->c[c][i], &b->c[c][i], sizeof(double));
 }
 
 /* Colours and positions of every set and path are those of the first. */
@@ -269,16 +269,17 @@ static void exact_sets_agree(int n)
     fgl_vertex_validate(plan, ctx, batch->varying, 75);
     memset(&first, 0, sizeof first);
     for (int isa = 0; isa < FGL_ISA_COUNT; isa++)
-        for (int general = 0; general < 2 && fgl_vertex_kernels_of(isa, FIXEDGL_EXACT); general++) {
+        for (int general = 0; general < 2 && fgl_vertex_kernels_of((enum fgl_isa)isa, ARITH_EXACT); general++) {
             memset(&batch->clip, 0, sizeof *batch - offsetof(struct vertex_batch, clip));
             for (int i = 0; i < n; i += VERTEX_CHUNK)
-                fgl_vertex_kernels_of(isa, FIXEDGL_EXACT)->run(plan, batch, i, fgl_min(n - i, VERTEX_CHUNK), general);
+                fgl_vertex_kernels_of((enum fgl_isa)isa, ARITH_EXACT)->run(plan, batch, i, fgl_min(n - i, VERTEX_CHUNK), general);
             if (isa == 0 && !general)
                 memcpy(&first, batch, sizeof first);
-            same_lanes(&batch->win, &first.win, n);
-            same_lanes(&batch->color[0], &first.color[0], n);
-            same_lanes(&batch->color[1], &first.color[1], n);
-            same_lanes(&batch->secondary[0], &first.secondary[0], n);
+            same_lanes(&batch->exact.win, &first.exact.win, n);
+            same_lanes(&batch->exact.eye, &first.exact.eye, n);
+            same_lanes(&batch->exact.color[0], &first.exact.color[0], n);
+            same_lanes(&batch->exact.color[1], &first.exact.color[1], n);
+            same_lanes(&batch->exact.secondary[0], &first.exact.secondary[0], n);
         }
     free(batch);
     free(plan);

@@ -1,21 +1,24 @@
-/* Points (GL 1.5, 3.3 "Points"), in OSMesa's way: a square of whole pixels. */
+/* Points (GL 1.5, 3.3 "Points"), in OSMesa's way: a square of whole pixels. Kernels. */
+#ifndef FGL_RASTER_POINT_KERNEL_H
+#define FGL_RASTER_POINT_KERNEL_H
+
 #include "raster/coverage.h"
 #include "raster/setup.h"
 
 /* Half away from zero. */
-static int nearest(float v)
+static int nearest(real v)
 {
-    return (int)(v >= 0.0f ? v + 0.5f : v - 0.5f);
+    return (int)(v >= 0 ? v + (real)0.5 : v - (real)0.5);
 }
 
 /* Attributes do not change over a point. */
-static void point_planes(const struct raster_plan *plan, struct planes *p, const float *v)
+static void point_planes(const struct raster_plan *plan, struct planes *p, const real *v)
 {
     for (int lane = LANE_Z; lane < plan->lanes; lane++)
         plane_constant(p, lane, lane < LANE_COLOR ? v[lane] : v[lane] * v[LANE_OOW]);
     if (plan->flat)
         flat_planes(p, v + LANE_COLOR, plan->fragment->has_secondary);
-    p->z_offset = 0.0f;
+    PLANES(p)->z_offset = 0;
     p->smoothing = SMOOTH_NONE;
     p->stipple = NULL;
 }
@@ -26,11 +29,11 @@ static int first_pixel(int v, int n)
     return n & 1 ? (v >> 8) - (n - 1) / 2 : ((v + 128) >> 8) - n / 2;
 }
 
-static void aliased_point(const struct raster_plan *plan, const float *v, float size)
+static void aliased_point(const struct raster_plan *plan, const real *v, float size)
 {
     const int n = (int)(round_even(256.0 * (double)fmaxf(1.0f, size)) + 127) >> 8; /* halves go down */
-    const int x = first_pixel(nearest(v[LANE_X] * 256.0f), n),
-              y = first_pixel(nearest(v[LANE_Y] * 256.0f) - 1, n);
+    const int x = first_pixel(nearest(v[LANE_X] * 256), n),
+              y = first_pixel(nearest(v[LANE_Y] * 256) - 1, n);
     const struct rect b = {fgl_max(plan->bounds.x0, x), fgl_max(plan->bounds.y0, y),
                            fgl_min(plan->bounds.x1, x + n), fgl_min(plan->bounds.y1, y + n)};
     struct planes planes;
@@ -49,26 +52,26 @@ static void aliased_point(const struct raster_plan *plan, const float *v, float 
 }
 
 /* A square of two triangles around a disc; the fragment stage drops what lies outside the disc. */
-static void smooth_point(const struct raster_plan *plan, const float *v, float size)
+static void smooth_point(const struct raster_plan *plan, const real *v, float size)
 {
-    const float radius = fmaxf(1.0f, size * 0.5f), pixel = 1.0f / radius,
-                inner2 = 1.0f - 2.0f * pixel + pixel * pixel;
-    float corner[4][LANE_MAX];
+    const real radius = (real)fmaxf(1.0f, size * 0.5f), pixel = 1 / radius,
+                inner2 = 1 - 2 * pixel + pixel * pixel;
+    real corner[4][LANE_MAX];
     for (int i = 0; i < 4; i++) {
-        const float x = i == 1 || i == 2 ? 1.0f : -1.0f, y = i >= 2 ? 1.0f : -1.0f;
-        memcpy(corner[i], v, (size_t)plan->lanes * sizeof(float));
+        const real x = i == 1 || i == 2 ? 1 : -1, y = i >= 2 ? 1 : -1;
+        memcpy(corner[i], v, (size_t)plan->lanes * sizeof(real));
         corner[i][LANE_X] += x * radius;
         corner[i][LANE_Y] += y * radius;
         corner[i][LANE_SMOOTH + 0] = x;
         corner[i][LANE_SMOOTH + 1] = y;
         corner[i][LANE_SMOOTH + 2] = inner2;
-        corner[i][LANE_SMOOTH + 3] = 1.0f;
+        corner[i][LANE_SMOOTH + 3] = 1;
     }
-    plan->kernels->smooth_triangle(plan, corner[0], corner[1], corner[2], v, SMOOTH_POINT);
-    plan->kernels->smooth_triangle(plan, corner[0], corner[2], corner[3], v, SMOOTH_POINT);
+    smooth_triangle(plan, corner[0], corner[1], corner[2], v, SMOOTH_POINT);
+    smooth_triangle(plan, corner[0], corner[2], corner[3], v, SMOOTH_POINT);
 }
 
-void fgl_raster_draw_point(const struct raster_plan *plan, const float *v, float size)
+static void draw_point(const struct raster_plan *plan, const void *v, float size)
 {
     if (!within_limit(v))
         return;
@@ -77,3 +80,5 @@ void fgl_raster_draw_point(const struct raster_plan *plan, const float *v, float
     else
         aliased_point(plan, v, size);
 }
+
+#endif

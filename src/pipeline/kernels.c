@@ -1,0 +1,6 @@
+/* The clipping kernels of one instruction set and one arithmetic; see vertex/kernels.c. */
+#include "base/cpu.h"
+#include "pipeline/clip_kernel.h"
+
+extern const struct clip_kernels FGL_KERNELS(clip);
+const struct clip_kernels FGL_KERNELS(clip) = {clip_triangle, clip_line};

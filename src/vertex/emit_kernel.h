@@ -1,0 +1,62 @@
+/* From batch arrays to raster vertices (raster/raster.h) and clip vertices: the end of the vertex stage. Kernels. */
+#ifndef FGL_VERTEX_EMIT_KERNEL_H
+#define FGL_VERTEX_EMIT_KERNEL_H
+
+#include "vertex/work.h"
+
+/* Four arrays to four neighbouring lanes of each record: a transposition. */
+static void emit4(real *FGL_RESTRICT to, int stride, const real_lanes4 *from, int n)
+{
+    const real *x = from->c[0], *y = from->c[1], *z = from->c[2], *w = from->c[3];
+    for (int i = 0; i < n; i++, to += stride) {
+        to[0] = x[i];
+        to[1] = y[i];
+        to[2] = z[i];
+        to[3] = w[i];
+    }
+}
+
+/* Positions and one colour, the commonest record. */
+static void emit8(real *FGL_RESTRICT to, const real_lanes4 *FGL_RESTRICT win, const real_lanes4 *FGL_RESTRICT color, int n)
+{
+    for (int i = 0; i < n; i++)
+        for (int c = 0; c < 4; c++) {
+            to[8 * i + c] = win->c[c][i];
+            to[8 * i + 4 + c] = color->c[c][i];
+        }
+}
+
+static void emit_records(const struct emit_plan *plan, const struct vertex_batch *batch, real *record)
+{
+    const int stride = plan->stride, n = batch->n;
+    if (stride == 8 && plan->color) {
+        emit8(record, &RESULTS(batch)->win, &RESULTS(batch)->color[0], n);
+        return;
+    }
+    emit4(record, stride, &RESULTS(batch)->win, n);
+    if (plan->color)
+        emit4(record + 4, stride, &RESULTS(batch)->color[0], n);
+    if (plan->secondary)
+        emit4(record + 8, stride, &RESULTS(batch)->secondary[0], n);
+    if (plan->fog)
+        for (int i = 0; i < n; i++)
+            record[i * stride + 11] = RESULTS(batch)->fog_z[i];
+    if (plan->two_sided)
+        emit4(record + plan->back_lane, stride, &RESULTS(batch)->color[1], n);
+    if (plan->two_sided && plan->secondary)
+        emit4(record + plan->back_lane + 4, stride, &RESULTS(batch)->secondary[1], n);
+}
+
+/* clip: written only where the batch has any outcode. */
+static void emit(const struct emit_plan *plan, const struct vertex_batch *batch, void *record, void *clip)
+{
+    emit_records(plan, batch, record);
+    if (!batch->outcode_any)
+        return;
+    emit4(clip, CLIP_VERTEX_LANES, &RESULTS(batch)->clip, batch->n);
+#if R_EXACT
+    emit4((real *)clip + 4, CLIP_VERTEX_LANES, &batch->exact.eye, batch->n);
+#endif
+}
+
+#endif
