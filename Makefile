@@ -54,14 +54,14 @@ FIXEDGL = $(BUILD)/bin/fixedgl
 MEASURE = $(BUILD)/bin/fixedgl-measure
 RPATH = -Wl,-rpath,'$$ORIGIN/../lib'
 
-.PHONY: all libs help deps diff test check asan bench goldens vec-report identity fuzz-diff install clean format \
+.PHONY: all libs help deps diff test check asan bench goldens vec-report identity fuzz-diff piglit install clean format \
         test-programs diff-run
 
 all: $(LIBS) $(FIXEDGL) $(MEASURE) $(EXAMPLES)
 libs: $(LIBS)
 
 help:
-	@sed -n '3,4p' Makefile; echo '#   make asan | bench | goldens | vec-report | identity | fuzz-diff | install | clean | format'
+	@sed -n '3,4p' Makefile; echo '#   make asan | bench | goldens | vec-report | identity | fuzz-diff | piglit | install | clean | format'
 
 $(BUILD)/src/%.o: src/%.c
 	@mkdir -p $(@D)
@@ -182,6 +182,20 @@ vec-report:
 fuzz-diff: deps
 	$(MAKE) -j$(JOBS) libs $(FUZZ)
 	$(FUZZ) $(FUZZ_FLAGS) $(LIB)/libfixedgl.so libOSMesa.so.8
+
+# piglit's compiled tests of OpenGL 1.0 to 1.5 (docs/piglit.md); PIGLIT_ONLY='--only REGEX' runs a part.
+PIGLIT_ONLY =
+PIGLIT = $(BUILD)/tests/piglit
+piglit: deps
+	@tests/tools/deps.sh piglit libwaffle-dev python3
+	$(MAKE) -j$(JOBS) libs $(PIGLIT)/libwaffle-1.so.0 $(PIGLIT)/libGL.so.1
+	tests/piglit/run.py $(PIGLIT_ONLY) --expected tests/piglit/expected_failures.txt $(PIGLIT) $(LIB)/libfixedgl.so
+$(PIGLIT)/libwaffle-1.so.0: tests/piglit/waffle.c
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CFLAGS) -I/usr/include/waffle-1 -shared $< -ldl -o $@
+$(PIGLIT)/libGL.so.1: tests/piglit/glx.c
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CFLAGS) -shared -Wl,-soname,$(@F) $< -o $@
 
 identity: deps
 	$(MAKE) -j$(JOBS) all

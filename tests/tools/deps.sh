@@ -1,9 +1,10 @@
 #!/bin/sh
 # Installs the Debian packages that building, comparing and testing need and that are missing. Quiet when there is nothing to do.
 # Where there is no apt-get, or no right to use it, prints the command instead.
+# usage: deps.sh [PACKAGE...]    the packages given are wanted besides
 set -eu
 packages="gcc make clang libc6-dev libpng-dev libglu1-mesa-dev libglfw3-dev libosmesa6 libcmocka-dev
-          xvfb imagemagick libgl1-mesa-dri libclang-rt-14-dev"
+          xvfb imagemagick libgl1-mesa-dri libclang-rt-14-dev $*"
 missing=""
 if command -v dpkg-query >/dev/null 2>&1; then
     for p in $packages; do
