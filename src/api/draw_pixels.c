@@ -21,11 +21,22 @@ struct rectangle {
     struct zoom zoom;
     struct pixel_draw draw;
     struct rect area;            /* window pixels that it covers and may draw */
-    int planes;                  /* floats of a pixel: 4 colour, 1 depth */
-    int first, columns;          /* the image's columns that are seen */
-    int row;                     /* of the image, in `source`; -1: none yet */
-    int *column;                 /* by window x: which of the columns */
-    float *source[4], *shown[4]; /* the image's row; by window x */
+    enum { RGBA_FLOATS, RGBA_UNORM8, DEPTH, STENCIL } kind;
+    int planes;                       /* numbers of a pixel: 4 of RGBA_FLOATS, else 1 */
+    int first, columns;               /* the image's columns that are seen */
+    bool straight;                    /* window columns show neighbouring columns of the image */
+    int row;                          /* of the image, in `shown`; -1: none yet */
+    int *column;                      /* by window x: which of the columns */
+    union number *source[4], *shown[4]; /* the image's row; by window x */
+    struct framebuffer *fb;
+    uint8_t stencil_mask;
+};
+
+/* What a plane consists of, by kind. */
+union number {
+    float f;         /* RGBA_FLOATS, DEPTH */
+    uint32_t unorm8; /* RGBA_UNORM8 */
+    int32_t index;   /* STENCIL */
 };
 
 /* OSMesa rule: the position is rounded half away from zero. */
@@ -50,8 +61,6 @@ static bool place(const struct context *ctx, int width, int height, const struct
     return area->x0 < area->x1 && area->y0 < area->y1;
 }
 
-/* ---- colour and depth: fragments ---- */
-
 /* The columns of the image that the area shows, and room for rows of them. */
 static bool choose_columns(struct rectangle *r, int stride)
 {
@@ -60,7 +69,7 @@ static bool choose_columns(struct rectangle *r, int stride)
     r->columns = fgl_max(a, b) - r->first + 1;
     r->row = -1;
     r->column = malloc((size_t)stride * sizeof *r->column);
-    float *room =
+    union number *room =
             calloc((size_t)r->planes * ((size_t)r->columns + PIXEL_CHUNK + (size_t)stride), sizeof *room);
     if (!r->column || !room) {
         free(r->column);
@@ -73,34 +82,58 @@ static bool choose_columns(struct rectangle *r, int stride)
     }
     for (int x = r->area.x0; x < r->area.x1; x++)
         r->column[x] = fgl_zoom_column(&r->zoom, x) - r->first;
+    r->straight = b - a == r->area.x1 - 1 - r->area.x0;
     return true;
 }
 
-static void unpack_row(struct rectangle *r, int row)
+/* Columns at .. at+n of those that are seen, into to[]. */
+static void unpack_chunk(struct rectangle *r, int row, int at, int n, union number *const to[4])
 {
-    for (int done = 0; done < r->columns; done += PIXEL_CHUNK) {
-        const int n = fgl_min(PIXEL_CHUNK, r->columns - done);
-        if (r->planes == 1) {
-            fgl_unpack_depth(&r->unpack, row, r->first + done, n, r->source[0] + done);
-            continue;
-        }
-        struct color_row colors;
-        fgl_unpack_color(&r->unpack, row, r->first + done, n, &colors);
+    const int column = r->first + at;
+    struct color_row colors;
+    switch (r->kind) {
+    case DEPTH: fgl_unpack_depth(&r->unpack, row, column, n, &to[0][at].f); break;
+    case STENCIL: fgl_unpack_stencil(&r->unpack, row, column, n, &to[0][at].index); break;
+    case RGBA_UNORM8: fgl_unpack_unorm8(&r->unpack, row, column, n, &to[0][at].unorm8); break;
+    case RGBA_FLOATS:
+        fgl_unpack_color(&r->unpack, row, column, n, &colors);
         for (int c = 0; c < 4; c++)
-            memcpy(r->source[c] + done, colors.channel[c], (size_t)n * sizeof(float));
+            memcpy(&to[c][at].f, colors.channel[c], (size_t)n * sizeof(float));
+        break;
     }
 }
 
-/* Makes the inputs of the fragments those of a row of the image. */
+/* Makes `shown` a row of the image. */
 static void show_row(struct rectangle *r, int row)
 {
+    union number *to[4];
     if (row == r->row)
         return;
-    unpack_row(r, row);
     for (int c = 0; c < r->planes; c++)
+        to[c] = r->straight ? r->shown[c] + r->area.x0 : r->source[c];
+    for (int at = 0; at < r->columns; at += PIXEL_CHUNK)
+        unpack_chunk(r, row, at, fgl_min(PIXEL_CHUNK, r->columns - at), to);
+    for (int c = 0; c < r->planes && !r->straight; c++)
         for (int x = r->area.x0; x < r->area.x1; x++)
             r->shown[c][x] = r->source[c][r->column[x]];
     r->row = row;
+}
+
+/* Straight into the buffer (3.6.4 "Final Conversion": scissor and mask alone apply). */
+static void write_stencil(const struct rectangle *r, int y, int x0, int x1)
+{
+    uint8_t *s = r->fb->stencil + (size_t)y * (size_t)r->fb->stride;
+    const uint8_t mask = r->stencil_mask;
+    for (int x = x0; x < x1; x++)
+        s[x] = (uint8_t)((s[x] & ~mask) | (r->shown[0][x].index & mask));
+}
+
+static void draw_run(const struct rectangle *r, int y, int x0, int x1)
+{
+    if (r->kind == STENCIL)
+        write_stencil(r, y, x0, x1);
+    else
+        fgl_pixels_run(&r->draw, y, x0, x1);
 }
 
 /* Where the row passes from one triangle into the other: the first pixel that is not in the triangle of pixel
@@ -121,58 +154,51 @@ static void draw_rows(struct rectangle *r)
         const int rows[2] = {fgl_zoom_row(&r->zoom, y, 0), fgl_zoom_row(&r->zoom, y, 1)};
         if (rows[0] == rows[1]) {
             show_row(r, rows[0]);
-            fgl_pixels_run(&r->draw, y, area->x0, area->x1);
+            draw_run(r, y, area->x0, area->x1);
             continue;
         }
         const int left = fgl_zoom_in_first(&r->zoom, area->x0, y) ? 0 : 1, end = triangle_end(r, y);
         show_row(r, rows[left]);
-        fgl_pixels_run(&r->draw, y, area->x0, end);
+        draw_run(r, y, area->x0, end);
         show_row(r, rows[1 - left]);
-        fgl_pixels_run(&r->draw, y, end, area->x1);
+        draw_run(r, y, end, area->x1);
     }
 }
 
-static void draw_fragments(struct context *ctx, int width, int height, const struct pixel_unpack *unpack,
-                           bool copied)
+/* The arrays from which the fragments are made. */
+static void set_inputs(struct rectangle *r)
 {
-    const bool depth = unpack->image.format->channel[0] == CHANNEL_DEPTH;
-    struct rectangle r = {.unpack = *unpack, .planes = depth ? 1 : 4};
-    fgl_pixels_begin(ctx, depth ? PIXELS_DEPTH : PIXELS_COLOR, &r.draw);
+    struct pixel_inputs *inputs = &r->draw.inputs;
+    r->draw.fragment.pixels = inputs;
+    if (r->kind == DEPTH)
+        inputs->depth = &r->shown[0]->f;
+    else if (r->kind == RGBA_UNORM8)
+        inputs->unorm8 = &r->shown[0]->unorm8;
+    else if (r->kind == RGBA_FLOATS)
+        for (int c = 0; c < 4; c++)
+            inputs->color[c] = &r->shown[c]->f;
+}
+
+static void draw_rectangle(struct context *ctx, int width, int height, const struct pixel_unpack *unpack, bool copied)
+{
+    const enum channel channel = unpack->image.format->channel[0];
+    struct rectangle r = {.unpack = *unpack, .planes = 1, .fb = ctx->framebuffer};
+    r.stencil_mask = (uint8_t)ctx->s.stencil.stencil_writemask;
+    RETURN_ERROR_IF(ctx, channel == CHANNEL_STENCIL && !fgl_framebuffer_need_stencil(r.fb), GL_OUT_OF_MEMORY);
+    fgl_pixels_begin(ctx, channel <= CHANNEL_LUMINANCE || channel == CHANNEL_INDEX ? PIXELS_COLOR : PIXELS_DEPTH, &r.draw);
+    r.kind = channel == CHANNEL_DEPTH     ? DEPTH
+             : channel == CHANNEL_STENCIL ? STENCIL
+             : fgl_pixels_fused(&r.draw)  ? RGBA_UNORM8
+                                          : RGBA_FLOATS;
+    if (r.kind == RGBA_FLOATS)
+        r.planes = 4;
     if (!place(ctx, width, height, &r.draw.bounds, copied, &r.zoom, &r.area))
         return;
-    RETURN_ERROR_IF(ctx, !choose_columns(&r, ctx->framebuffer->stride), GL_OUT_OF_MEMORY);
-    r.draw.fragment.pixels = &r.draw.inputs;
-    if (depth)
-        r.draw.inputs.depth = r.shown[0];
-    for (int c = 0; c < 4 && !depth; c++)
-        r.draw.inputs.color[c] = r.shown[c];
+    RETURN_ERROR_IF(ctx, !choose_columns(&r, r.fb->stride), GL_OUT_OF_MEMORY);
+    set_inputs(&r);
     draw_rows(&r);
     free(r.column);
     free(r.source[0]);
-}
-
-/* ---- stencil: straight into the buffer (3.6.4 "Final Conversion": scissor and mask alone apply) ---- */
-
-static void draw_stencil(struct context *ctx, int width, int height, const struct pixel_unpack *unpack,
-                         bool copied)
-{
-    struct framebuffer *fb = ctx->framebuffer;
-    struct pixel_draw draw;
-    struct zoom zoom;
-    struct rect area;
-    RETURN_ERROR_IF(ctx, !fgl_framebuffer_need_stencil(fb), GL_OUT_OF_MEMORY);
-    fgl_pixels_begin(ctx, PIXELS_DEPTH, &draw);
-    if (!place(ctx, width, height, &draw.bounds, copied, &zoom, &area))
-        return;
-    const uint8_t mask = (uint8_t)ctx->s.stencil.stencil_writemask;
-    for (int y = area.y0; y < area.y1; y++)
-        for (int x = area.x0; x < area.x1; x++) {
-            int32_t index;
-            fgl_unpack_stencil(unpack, fgl_zoom_row(&zoom, y, fgl_zoom_in_first(&zoom, x, y) ? 0 : 1),
-                               fgl_zoom_column(&zoom, x), 1, &index);
-            uint8_t *s = fb->stencil + (size_t)y * (size_t)fb->stride + x;
-            *s = (uint8_t)((*s & ~mask) | (index & mask));
-        }
 }
 
 /* ---- glDrawPixels ---- */
@@ -210,11 +236,9 @@ static void draw_image(struct context *ctx, int width, int height, GLenum format
             .image = fgl_pixel_image(store, format, type, width, pixels),
             .mode = &ctx->s.pixel_mode,
             .maps = ctx->pixel_map,
+            .arith = fgl_context_arith(ctx),
     };
-    if (format == GL_STENCIL_INDEX)
-        draw_stencil(ctx, width, height, &unpack, copied);
-    else
-        draw_fragments(ctx, width, height, &unpack, copied);
+    draw_rectangle(ctx, width, height, &unpack, copied);
 }
 
 struct image_node {

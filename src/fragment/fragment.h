@@ -30,7 +30,9 @@ enum {
 enum color_source {
     COLOR_CONSTANT, /* the current colour: one value for the draw */
     COLOR_FLAT,     /* the provoking vertex's */
-    COLOR_SMOOTH    /* interpolated with perspective */
+    COLOR_SMOOTH,   /* interpolated with perspective */
+    COLOR_IMAGE,    /* pixel rectangles: struct pixel_inputs */
+    COLOR_SOURCES
 };
 
 /* Antialiasing (GL 1.5, 3.3.2 and 3.4.3): what LANE_SMOOTH holds. */
@@ -81,6 +83,7 @@ struct runs {
 /* Pixel rectangles (GL 1.5, 3.6.4): what comes from the image instead of from planes. Arrays by window x, as
  * long as a row of the framebuffer with its padding; NULL: as for other primitives. */
 struct pixel_inputs {
+    const uint32_t *unorm8; /* for fused kernels: colours as a buffer of COLOR_UNORM8 has them */
     const float *color[4]; /* all or none */
     const float *depth;    /* [0,1] */
 };
@@ -96,7 +99,7 @@ enum depth_kind { DEPTH_OFF, DEPTH_LESS, DEPTH_LEQUAL, DEPTH_KINDS };
 struct fragment_kernels {
     /* COLOR_UNORM8 with all channels written; depth written where it is tested; no other stage, no smoothing,
      * no stipple */
-    fragment_fill_fn *fused[DEPTH_KINDS][COLOR_SMOOTH + 1];
+    fragment_fill_fn *fused[DEPTH_KINDS][COLOR_SOURCES];
     fragment_fill_fn *general; /* everything that a plan and planes can ask for */
 };
 
@@ -123,7 +126,7 @@ struct fragment_plan {
     struct color_buffer_state color_buffer;
     struct stencil_state stencil;
     GLenum depth_func;
-    const struct pixel_inputs *pixels; /* NULL but for pixel rectangles; only the general kernel reads it */
+    const struct pixel_inputs *pixels; /* NULL but for pixel rectangles; not NULL for COLOR_IMAGE */
 
     int lanes; /* lanes of a raster vertex that this plan reads, a multiple of LANE_GROUP */
     struct framebuffer *fb;

@@ -14,6 +14,7 @@ struct fused_row {
     uint32_t flat_color;
     int32_t *depth;
     uint32_t *color;
+    const uint32_t *image; /* by window x */
 };
 
 /* The depth test: writes the depth of the pixels that pass, marks them in live (all bits or none). Returns
@@ -42,8 +43,9 @@ static FGL_ALWAYS_INLINE void fused_color(const struct planes *p, const struct f
                                           const int32_t *FGL_RESTRICT live, const enum color_source source)
 {
     uint32_t *FGL_RESTRICT color = row->color + x;
+    const uint32_t *FGL_RESTRICT image = source == COLOR_IMAGE ? row->image + x : NULL;
     for (int i = 0; i < FRAGMENT_GROUP; i++) {
-        uint32_t c = row->flat_color;
+        uint32_t c = source == COLOR_IMAGE ? image[i] : row->flat_color;
         if (source == COLOR_SMOOTH) {
             const real fx = (real)(x + i), w = 1 / plane_at(p, LANE_OOW, fx, row->y);
             c = pack_unorm8(
@@ -63,7 +65,9 @@ static FGL_ALWAYS_INLINE void fused_fill(const struct fragment_plan *plan, const
     const real *flat = PLANES(planes)->a00 + LANE_COLOR;
     const float *constant = plan->constant_color;
     struct fused_row row = {.depth_max = (real)fb->depth_max};
-    if (source == COLOR_FLAT)
+    if (source == COLOR_IMAGE)
+        row.image = plan->pixels->unorm8;
+    else if (source == COLOR_FLAT)
         row.flat_color = pack_unorm8(flat[0], flat[1], flat[2], flat[3]);
     else if (source == COLOR_CONSTANT)
         row.flat_color = pack_unorm8((real)constant[0], (real)constant[1], (real)constant[2], (real)constant[3]);
@@ -92,12 +96,15 @@ static FGL_ALWAYS_INLINE void fused_fill(const struct fragment_plan *plan, const
 FUSED(fill_constant, DEPTH_OFF, COLOR_CONSTANT)
 FUSED(fill_flat, DEPTH_OFF, COLOR_FLAT)
 FUSED(fill_smooth, DEPTH_OFF, COLOR_SMOOTH)
+FUSED(fill_image, DEPTH_OFF, COLOR_IMAGE)
 FUSED(fill_constant_less, DEPTH_LESS, COLOR_CONSTANT)
 FUSED(fill_flat_less, DEPTH_LESS, COLOR_FLAT)
 FUSED(fill_smooth_less, DEPTH_LESS, COLOR_SMOOTH)
+FUSED(fill_image_less, DEPTH_LESS, COLOR_IMAGE)
 FUSED(fill_constant_lequal, DEPTH_LEQUAL, COLOR_CONSTANT)
 FUSED(fill_flat_lequal, DEPTH_LEQUAL, COLOR_FLAT)
 FUSED(fill_smooth_lequal, DEPTH_LEQUAL, COLOR_SMOOTH)
+FUSED(fill_image_lequal, DEPTH_LEQUAL, COLOR_IMAGE)
 #undef FUSED
 
 #endif

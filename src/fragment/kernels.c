@@ -6,8 +6,9 @@
 
 extern const struct fragment_kernels FGL_KERNELS(fragment);
 const struct fragment_kernels FGL_KERNELS(fragment) = {
-        .fused = {[DEPTH_OFF] = {fill_constant, fill_flat, fill_smooth},
-                  [DEPTH_LESS] = {fill_constant_less, fill_flat_less, fill_smooth_less},
-                  [DEPTH_LEQUAL] = {fill_constant_lequal, fill_flat_lequal, fill_smooth_lequal}},
+        .fused = {[DEPTH_OFF] = {fill_constant, fill_flat, fill_smooth, fill_image},
+                  [DEPTH_LESS] = {fill_constant_less, fill_flat_less, fill_smooth_less, fill_image_less},
+                  [DEPTH_LEQUAL] = {fill_constant_lequal, fill_flat_lequal, fill_smooth_lequal,
+                                    fill_image_lequal}},
         .general = general_fill,
 };

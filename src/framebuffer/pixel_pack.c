@@ -1,6 +1,8 @@
 /* Packing a row: fetch from the framebuffer, pixel transfer, convert each component to the type, store. */
 #include "framebuffer/pixel_pack.h"
 
+#include "framebuffer/rows.h"
+
 #include <string.h>
 
 /* A chunk of converted components, one plane for each in the order of the format: the bits of the integer or
@@ -200,13 +202,6 @@ static void pack_color(const struct pixel_pack *pack, const struct framebuffer *
 
 /* ---- depth and stencil ---- */
 
-/* OSMesa rule. */
-static float depth_to_float(const struct framebuffer *fb, uint32_t z)
-{
-    return fb->depth_bits <= 16 ? (float)z * (1.0f / (float)fb->depth_max)
-                                : (float)((double)z / (double)fb->depth_max);
-}
-
 /* OSMesa rules: GL_UNSIGNED_INT repeats the bits when nothing is to be done but that; signed types as GL 1.5,
  * table 4.7 says, c = ((2^b - 1) f - 1) / 2, each step towards zero, but GL_INT; unsigned ones are cut off,
  * but GL_UNSIGNED_SHORT is rounded. */
@@ -235,8 +230,11 @@ static void pack_depth(const struct pixel_pack *pack, const struct framebuffer *
         return;
     }
     float depth[PIXEL_CHUNK];
-    for (int i = 0; i < n; i++)
-        depth[i] = depth_to_float(fb, z[i]);
+    if (fb->depth_bits <= 16) /* OSMesa rules */
+        for (int i = 0; i < n; i++)
+            depth[i] = (float)z[i] * (1.0f / (float)fb->depth_max);
+    else
+        fgl_row_kernels(ARITH_COMPATIBLE)->depth_to_float(z, n, fb->depth_max, depth);
     if (transfer)
         fgl_transfer_depth(pack->mode, depth, n);
     for (int i = 0; i < n; i++)
@@ -320,58 +318,11 @@ static void store_row(const struct pixel_image *image, int row, int column, int 
         fgl_swap_bytes(start, (size_t)n * (size_t)elements, type->bytes);
 }
 
-/* ---- the commonest case: bytes of an 8-bit buffer ---- */
-
-static bool is_plain_bytes(const struct pixel_pack *pack, const struct framebuffer *fb)
-{
-    return fb->color_kind == COLOR_UNORM8 && pack->image.type->type == GL_UNSIGNED_BYTE &&
-           pack->image.format->channel[0] <= CHANNEL_ALPHA && !fgl_transfer_color_active(pack->mode);
-}
-
-/* n is the number of components; shift[c] is where the byte of component c lies in a pixel of the buffer. */
-static FGL_ALWAYS_INLINE void copy_bytes(uint8_t *FGL_RESTRICT out, const uint32_t *FGL_RESTRICT pixel,
-                                         uint32_t alpha, int count, const int n, const int *shift)
-{
-    for (int i = 0; i < count; i++)
-        for (int c = 0; c < n; c++)
-            out[n * i + c] = (uint8_t)((pixel[i] | alpha) >> shift[c]);
-}
-
-/* Whether the bytes of a pixel lie in memory as red, green, blue, alpha. */
-static bool is_little_endian(void)
-{
-    const uint32_t one = 1;
-    return *(const uint8_t *)&one == 1;
-}
-
-static void copy_row(const struct pixel_pack *pack, const struct framebuffer *fb, int x, int y, int n,
-                     int row, int column)
-{
-    static const int rgba[4] = {0, 8, 16, 24}, bgra[4] = {16, 8, 0, 24};
-    const struct pixel_image *image = &pack->image;
-    const uint32_t *pixel = (const uint32_t *)fb->color + (size_t)y * (size_t)fb->stride + x;
-    const uint32_t alpha = fb->has_alpha ? 0 : 0xff000000u;
-    uint8_t *out = fgl_pixel_row(image, row) + (size_t)column * image->pixel_bytes;
-    if (image->format->format == GL_RGBA && fb->has_alpha && is_little_endian()) {
-        memcpy(out, pixel, 4 * (size_t)n);
-        return;
-    }
-    switch (image->format->format) {
-    case GL_RGBA: copy_bytes(out, pixel, alpha, n, 4, rgba); break;
-    case GL_BGRA: copy_bytes(out, pixel, alpha, n, 4, bgra); break;
-    case GL_RGB: copy_bytes(out, pixel, alpha, n, 3, rgba); break;
-    case GL_BGR: copy_bytes(out, pixel, alpha, n, 3, bgra); break;
-    default: copy_bytes(out, pixel, alpha, n, 1, &rgba[image->format->channel[0]]); break;
-    }
-}
-
 void fgl_pack_row(const struct pixel_pack *pack, const struct framebuffer *fb, int x, int y, int n, int row,
                   int column)
 {
-    if (is_plain_bytes(pack, fb)) {
-        copy_row(pack, fb, x, y, n, row, column);
+    if (fgl_pack_row_plain(pack, fb, x, y, n, row, column))
         return;
-    }
     struct component_row components;
     for (int done = 0; done < n; done += PIXEL_CHUNK) {
         const int count = fgl_min(PIXEL_CHUNK, n - done);

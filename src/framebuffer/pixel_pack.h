@@ -19,4 +19,9 @@ struct pixel_pack {
 void fgl_pack_row(const struct pixel_pack *pack, const struct framebuffer *fb, int x, int y, int n, int row,
                   int column);
 
+/* pixel_pack_plain.c: the same for the commonest cases, in which nothing is changed but the type; false, and nothing
+ * written, for others. */
+bool fgl_pack_row_plain(const struct pixel_pack *pack, const struct framebuffer *fb, int x, int y, int n, int row,
+                        int column);
+
 #endif

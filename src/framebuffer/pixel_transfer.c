@@ -28,6 +28,11 @@ void fgl_transfer_color(const struct pixel_mode_state *mode, const struct pixel_
     }
 }
 
+bool fgl_transfer_stencil_active(const struct pixel_mode_state *mode)
+{
+    return mode->index_shift || mode->index_offset || mode->map_stencil;
+}
+
 bool fgl_transfer_depth_active(const struct pixel_mode_state *mode)
 {
     return mode->depth_scale != 1.0f || mode->depth_bias != 0.0f;
@@ -51,7 +56,7 @@ void fgl_transfer_index(const struct pixel_mode_state *mode, const struct pixel_
                         int32_t *index, int n)
 {
     const struct pixel_map *map = &maps[PIXEL_MAP_S_TO_S];
-    for (int i = 0; i < n; i++)
+    for (int i = 0; (mode->index_shift || mode->index_offset) && i < n; i++)
         index[i] =
                 (int32_t)((uint32_t)shift_index(index[i], mode->index_shift) + (uint32_t)mode->index_offset);
     for (int i = 0; stencil && mode->map_stencil && i < n; i++)

@@ -19,6 +19,8 @@ bool fgl_transfer_color_active(const struct pixel_mode_state *mode);
 void fgl_transfer_color(const struct pixel_mode_state *mode, const struct pixel_map *maps,
                         struct color_row *row, int n);
 
+bool fgl_transfer_stencil_active(const struct pixel_mode_state *mode);
+
 bool fgl_transfer_depth_active(const struct pixel_mode_state *mode);
 /* Scale and bias, clamped to [0,1]. */
 void fgl_transfer_depth(const struct pixel_mode_state *mode, float *depth, int n);

@@ -13,22 +13,22 @@ static const uint8_t *element_at(const struct pixel_image *image, int row, int c
     return fgl_pixel_row(image, row) + (size_t)column * image->pixel_bytes;
 }
 
-static uint32_t load_element(const uint8_t *p, int bytes, bool swap)
+/* n elements, `step` bytes apart. */
+static FGL_ALWAYS_INLINE void load_elements(const uint8_t *p, size_t step, int n, const int bytes, const bool swap,
+                                            uint32_t *FGL_RESTRICT out)
 {
-    uint8_t b[4] = {0};
-    memcpy(b, p, (size_t)bytes);
-    if (swap)
-        fgl_swap_bytes(b, 1, bytes);
-    if (bytes == 1)
-        return b[0];
-    if (bytes == 2) {
-        uint16_t v;
-        memcpy(&v, b, sizeof v);
-        return v;
+    for (int i = 0; i < n; i++, p += step) {
+        uint16_t v2;
+        uint32_t v = *p;
+        if (bytes == 2) {
+            memcpy(&v2, p, sizeof v2);
+            v = swap ? (uint32_t)(v2 >> 8 | (v2 & 255) << 8) : v2;
+        } else if (bytes == 4) {
+            memcpy(&v, p, sizeof v);
+            v = swap ? v >> 24 | (v >> 8 & 0xff00) | (v & 0xff00) << 8 | v << 24 : v;
+        }
+        out[i] = v;
     }
-    uint32_t v;
-    memcpy(&v, b, sizeof v);
-    return v;
 }
 
 /* Component c of n pixels, as the bits of its element or the field of its pixel. */
@@ -36,8 +36,14 @@ static void load_component(const struct pixel_image *image, int row, int column,
 {
     const struct pixel_type *type = image->type;
     const uint8_t *p = element_at(image, row, column) + (type->fields ? 0 : c * type->bytes);
-    for (int i = 0; i < n; i++, p += image->pixel_bytes)
-        out[i] = load_element(p, type->bytes, image->swap_bytes);
+    const size_t step = image->pixel_bytes;
+    switch (image->swap_bytes ? -type->bytes : type->bytes) {
+    case 2: load_elements(p, step, n, 2, false, out); break;
+    case 4: load_elements(p, step, n, 4, false, out); break;
+    case -2: load_elements(p, step, n, 2, true, out); break;
+    case -4: load_elements(p, step, n, 4, true, out); break;
+    default: load_elements(p, step, n, 1, false, out); break;
+    }
     for (int i = 0; type->fields && i < n; i++)
         out[i] = out[i] >> type->shift[c] & (0xffffffffu >> (32 - type->bits[c]));
 }

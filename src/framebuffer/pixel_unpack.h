@@ -3,6 +3,7 @@
 #ifndef FGL_FRAMEBUFFER_PIXEL_UNPACK_H
 #define FGL_FRAMEBUFFER_PIXEL_UNPACK_H
 
+#include "base/cpu.h"
 #include "framebuffer/pixel_format.h"
 #include "framebuffer/pixel_transfer.h"
 
@@ -11,11 +12,14 @@ struct pixel_unpack {
     struct pixel_image image;
     const struct pixel_mode_state *mode;
     const struct pixel_map *maps;
+    enum fgl_arith arith; /* of fgl_unpack_unorm8 */
 };
 
 /* n pixels of row `row` from pixel `column` on, after pixel transfer; n <= PIXEL_CHUNK.
  * Colours: formats with colour channels and GL_COLOR_INDEX, which goes through the maps. Not clamped. */
 void fgl_unpack_color(const struct pixel_unpack *unpack, int row, int column, int n, struct color_row *out);
+/* The same as pixels of COLOR_UNORM8: clamped, rounded half to even. */
+void fgl_unpack_unorm8(const struct pixel_unpack *unpack, int row, int column, int n, uint32_t *out);
 /* GL_DEPTH_COMPONENT: in [0,1]. */
 void fgl_unpack_depth(const struct pixel_unpack *unpack, int row, int column, int n, float *out);
 /* GL_STENCIL_INDEX. */

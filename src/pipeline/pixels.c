@@ -31,17 +31,17 @@ void fgl_pixels_begin(struct context *ctx, enum pixel_kind kind, struct pixel_dr
     memset(f, 0, sizeof *f);
     memset(&draw->inputs, 0, sizeof draw->inputs);
     f->arith = fgl_context_arith(ctx);
-    f->color_source = COLOR_CONSTANT;
+    f->color_source = kind == PIXELS_COLOR ? COLOR_IMAGE : COLOR_CONSTANT;
     for (int c = 0; c < 4; c++)
         f->constant_color[c] = fgl_clamp01(ctx->s.current.raster_color[c]);
     f->has_secondary = kind == PIXELS_BITMAP && color_sum(&ctx->s);
     fgl_fragment_validate(f, &ctx->s, ctx->framebuffer, ctx->pipeline->general);
-    if (kind != PIXELS_BITMAP) {
+    if (kind != PIXELS_BITMAP)
         f->pixels = &draw->inputs;
+    if (kind == PIXELS_DEPTH) {
         f->fill = f->general;
-    }
-    if (kind == PIXELS_DEPTH)
         f->has_fog = false; /* OSMesa rule */
+    }
     fgl_raster_validate(&raster, &ctx->s, f);
     draw->bounds = raster.bounds;
     set_planes(&draw->planes, f->arith, &ctx->s.current);
