@@ -48,7 +48,9 @@ CLI_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(wildcard src/cli/*.c))
 ORACLE_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(filter-out src/oracle/main.c,$(wildcard src/oracle/*.c)))
 
 LIB = $(BUILD)/lib
-LIBS = $(LIB)/libfixedgl.a $(LIB)/libfixedgl.so $(LIB)/libfixedglut.a $(LIB)/libfixedglut.so
+LIBS = $(LIB)/libfixedgl.a $(LIB)/libfixedgl.so $(LIB)/libfixedglut.a $(LIB)/libfixedglut.so $(DROP_IN)
+# The same library under the names that programs were linked with, in a folder of its own: LD_LIBRARY_PATH=build/lib/drop-in.
+DROP_IN = $(addprefix $(LIB)/drop-in/,libOSMesa.so.8 libOpenGL.so.0 libGL.so.1)
 EXAMPLES = $(patsubst examples/%.c,$(BUILD)/examples/%,$(wildcard examples/*.c))
 FIXEDGL = $(BUILD)/bin/fixedgl
 MEASURE = $(BUILD)/bin/fixedgl-measure
@@ -79,6 +81,10 @@ $(LIB)/libfixedgl.so: $(CORE_OBJECTS)
 	@mkdir -p $(@D)
 	$(Q)$(CC) -shared $(SANITIZE) -Wl,-soname,libfixedgl.so.0 -Wl,-Bsymbolic $^ -lm -lpthread -o $@
 	@ln -sf libfixedgl.so $(LIB)/libfixedgl.so.0
+
+$(DROP_IN): $(LIB)/libfixedgl.so
+	@mkdir -p $(@D)
+	@ln -sf ../libfixedgl.so $@
 
 $(LIB)/libfixedglut.so: $(GLUT_OBJECTS) $(LIB)/libfixedgl.so
 	$(Q)$(CC) -shared $(SANITIZE) -Wl,-soname,libfixedglut.so.0 $(RPATH) $(GLUT_OBJECTS) -L$(LIB) -lfixedgl -lpng -ldl -lm -o $@
@@ -205,7 +211,7 @@ deps:
 	@tests/tools/deps.sh
 
 install: libs $(FIXEDGL) $(MEASURE)
-	install -d $(DESTDIR)$(PREFIX)/include/GL $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(PREFIX)/bin
+	install -d $(DESTDIR)$(PREFIX)/include/GL $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(LIBDIR)/fixedgl $(DESTDIR)$(PREFIX)/bin
 	install -m 644 include/fixedgl.h $(DESTDIR)$(PREFIX)/include
 	install -m 644 include/GL/*.h $(DESTDIR)$(PREFIX)/include/GL
 	install -m 644 $(LIB)/libfixedgl.a $(LIB)/libfixedglut.a $(DESTDIR)$(LIBDIR)
