@@ -31,8 +31,8 @@ extern "C" {
 #define OSMESA_PATCH_VERSION 0
 
 /* Formats of the caller's buffer: the order of the components of a pixel in memory, one byte each for
- * GL_UNSIGNED_BYTE. OSMESA_RGB_565 is one 16-bit word, red in its upper bits. OSMESA_COLOR_INDEX cannot be
- * drawn to. */
+ * GL_UNSIGNED_BYTE. OSMESA_RGB_565 is one 16-bit word, red in its upper bits. OSMESA_COLOR_INDEX is
+ * colour index mode: one byte a pixel, an index of 8 bits; GL_UNSIGNED_BYTE only, without accumulation buffer. */
 #define OSMESA_COLOR_INDEX GL_COLOR_INDEX
 #define OSMESA_RGBA GL_RGBA
 #define OSMESA_BGRA 0x1

@@ -17,8 +17,12 @@ void fgl_exec_Clear(struct context *ctx, GLbitfield mask)
     fb->drawn = true;
     const struct rect r = fgl_raster_bounds(&ctx->s.scissor, fb);
     const struct color_buffer_state *c = &ctx->s.color_buffer;
-    if ((mask & GL_COLOR_BUFFER_BIT) && c->draw_buffer != GL_NONE)
-        fgl_clear_color(fb, r, c->color_clear_value, c->color_writemask);
+    if ((mask & GL_COLOR_BUFFER_BIT) && c->draw_buffer != GL_NONE) {
+        if (ctx->color_index)
+            fgl_clear_index(fb, r, c->index_clear_value, c->index_writemask);
+        else
+            fgl_clear_color(fb, r, c->color_clear_value, c->color_writemask);
+    }
     if ((mask & GL_DEPTH_BUFFER_BIT) && ctx->s.depth.depth_writemask)
         fgl_clear_depth(fb, r, ctx->s.depth.depth_clear_value);
     if (mask & GL_STENCIL_BUFFER_BIT)

@@ -21,7 +21,7 @@ struct rectangle {
     struct zoom zoom;
     struct pixel_draw draw;
     struct rect area;            /* window pixels that it covers and may draw */
-    enum { RGBA_FLOATS, RGBA_UNORM8, DEPTH, STENCIL } kind;
+    enum { RGBA_FLOATS, RGBA_UNORM8, COLOR_INDEXES, DEPTH, STENCIL } kind;
     int planes;                       /* numbers of a pixel: 4 of RGBA_FLOATS, else 1 */
     int first, columns;               /* the image's columns that are seen */
     bool straight;                    /* window columns show neighbouring columns of the image */
@@ -34,7 +34,7 @@ struct rectangle {
 
 /* What a plane consists of, by kind. */
 union number {
-    float f;         /* RGBA_FLOATS, DEPTH */
+    float f;         /* RGBA_FLOATS, COLOR_INDEXES, DEPTH */
     uint32_t unorm8; /* RGBA_UNORM8 */
     int32_t index;   /* STENCIL */
 };
@@ -94,6 +94,7 @@ static void unpack_chunk(struct rectangle *r, int row, int at, int n, union numb
     switch (r->kind) {
     case DEPTH: fgl_unpack_depth(&r->unpack, row, column, n, &to[0][at].f); break;
     case STENCIL: fgl_unpack_stencil(&r->unpack, row, column, n, &to[0][at].index); break;
+    case COLOR_INDEXES: fgl_unpack_color_index(&r->unpack, row, column, n, &to[0][at].f); break;
     case RGBA_UNORM8: fgl_unpack_unorm8(&r->unpack, row, column, n, &to[0][at].unorm8); break;
     case RGBA_FLOATS:
         fgl_unpack_color(&r->unpack, row, column, n, &colors);
@@ -174,8 +175,8 @@ static void set_inputs(struct rectangle *r)
         inputs->depth = &r->shown[0]->f;
     else if (r->kind == RGBA_UNORM8)
         inputs->unorm8 = &r->shown[0]->unorm8;
-    else if (r->kind == RGBA_FLOATS)
-        for (int c = 0; c < 4; c++)
+    else if (r->kind != STENCIL)
+        for (int c = 0; c < r->planes; c++)
             inputs->color[c] = &r->shown[c]->f;
 }
 
@@ -188,6 +189,7 @@ static void draw_rectangle(struct context *ctx, int width, int height, const str
     fgl_pixels_begin(ctx, channel <= CHANNEL_LUMINANCE || channel == CHANNEL_INDEX ? PIXELS_COLOR : PIXELS_DEPTH, &r.draw);
     r.kind = channel == CHANNEL_DEPTH     ? DEPTH
              : channel == CHANNEL_STENCIL ? STENCIL
+             : ctx->color_index           ? COLOR_INDEXES
              : fgl_pixels_fused(&r.draw)  ? RGBA_UNORM8
                                           : RGBA_FLOATS;
     if (r.kind == RGBA_FLOATS)
@@ -203,10 +205,13 @@ static void draw_rectangle(struct context *ctx, int width, int height, const str
 
 /* ---- glDrawPixels ---- */
 
-/* The error of a format that asks for a buffer which the framebuffer does not have. */
+/* The error of a format that asks for a buffer which the framebuffer does not have; colours cannot be drawn in
+ * colour index mode. */
 static GLenum buffer_error(const struct context *ctx, GLenum format)
 {
     const struct framebuffer *fb = ctx->framebuffer;
+    if (ctx->color_index && format != GL_COLOR_INDEX && format != GL_STENCIL_INDEX && format != GL_DEPTH_COMPONENT)
+        return GL_INVALID_OPERATION;
     if (fb && ((format == GL_DEPTH_COMPONENT && !fb->depth_bits) ||
                (format == GL_STENCIL_INDEX && !fb->stencil_bits)))
         return GL_INVALID_OPERATION;
@@ -291,9 +296,11 @@ void fgl_exec_PixelZoom(struct context *ctx, GLfloat xfactor, GLfloat yfactor)
 
 /* ---- glCopyPixels: read as the buffer stores it, then drawn ---- */
 
-static GLenum copied_format(GLenum type)
+static GLenum copied_format(const struct context *ctx, GLenum type)
 {
-    return type == GL_COLOR ? GL_RGBA : type == GL_DEPTH ? GL_DEPTH_COMPONENT : GL_STENCIL_INDEX;
+    if (type == GL_COLOR)
+        return ctx->color_index ? GL_COLOR_INDEX : GL_RGBA;
+    return type == GL_DEPTH ? GL_DEPTH_COMPONENT : GL_STENCIL_INDEX;
 }
 
 static GLenum copied_type(const struct framebuffer *fb, GLenum type)
@@ -342,7 +349,7 @@ void fgl_exec_CopyPixels(struct context *ctx, GLint x, GLint y, GLsizei width, G
 {
     RETURN_ERROR_IF(ctx, width < 0 || height < 0, GL_INVALID_VALUE);
     RETURN_ERROR_IF(ctx, type != GL_COLOR && type != GL_DEPTH && type != GL_STENCIL, GL_INVALID_ENUM);
-    const GLenum format = copied_format(type);
+    const GLenum format = copied_format(ctx, type);
     RETURN_ERROR_IF(ctx, buffer_error(ctx, format), GL_INVALID_OPERATION);
     RETURN_ERROR_IF(ctx, type == GL_COLOR && ctx->s.pixel_mode.read_buffer == GL_NONE, GL_INVALID_OPERATION);
     fgl_flush_vertices(ctx, 0);

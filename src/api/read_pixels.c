@@ -10,7 +10,7 @@ static bool buffer_exists(const struct context *ctx, GLenum format)
     switch (format) {
     case GL_DEPTH_COMPONENT: return fb->depth_bits > 0;
     case GL_STENCIL_INDEX: return fb->stencil_bits > 0;
-    case GL_COLOR_INDEX: return false; /* the framebuffer holds RGBA colours */
+    case GL_COLOR_INDEX: return ctx->color_index && ctx->s.pixel_mode.read_buffer != GL_NONE;
     default: return ctx->s.pixel_mode.read_buffer != GL_NONE;
     }
 }

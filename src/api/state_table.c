@@ -2,6 +2,7 @@
 #include "api/state_table.h"
 
 #include "api/list.h"
+#include "base/color_index.h"
 #include "fixedgl.h"
 #include "framebuffer/framebuffer.h"
 #include "texture/texture.h"
@@ -82,8 +83,8 @@ static void list_index(const struct context *ctx, double *v)
 }
 
 /* Bits of red (also of blue), green and alpha by enum color_kind. */
-static const uint8_t red_bits_of[] = {8, 16, 32, 5}, green_bits_of[] = {8, 16, 32, 6},
-                     alpha_bits_of[] = {8, 16, 32, 0};
+static const uint8_t red_bits_of[] = {8, 16, 32, 5, 0}, green_bits_of[] = {8, 16, 32, 6, 0},
+                     alpha_bits_of[] = {8, 16, 32, 0, 0};
 
 static void red_bits(const struct context *ctx, double *v)
 {
@@ -104,6 +105,21 @@ static void alpha_bits(const struct context *ctx, double *v)
 {
     const struct framebuffer *fb = ctx->framebuffer;
     *v = fb && fb->has_alpha ? alpha_bits_of[fb->color_kind] : 0;
+}
+
+static void rgba_mode(const struct context *ctx, double *v)
+{
+    *v = !ctx->color_index;
+}
+
+static void index_mode(const struct context *ctx, double *v)
+{
+    *v = ctx->color_index;
+}
+
+static void index_bits(const struct context *ctx, double *v)
+{
+    *v = ctx->color_index ? FGL_INDEX_BITS : 0;
 }
 
 static void depth_bits(const struct context *ctx, double *v)

@@ -17,7 +17,7 @@ enum {
     LANE_Y,
     LANE_Z,
     LANE_OOW,
-    LANE_COLOR = 4,     /* r g b a */
+    LANE_COLOR = 4,     /* r g b a; colour index mode: the index */
     LANE_SECONDARY = 8, /* r g b */
     LANE_FOG = 11,      /* |z_eye| or the fog coordinate */
     LANE_TEX0 = 12,     /* s t r q of each unit */
@@ -39,7 +39,8 @@ enum color_source {
 enum smoothing {
     SMOOTH_NONE,
     SMOOTH_LINE, /* across, half width, along, half length: pixels from the line's centre */
-    SMOOTH_POINT /* x, y from the centre in radii, inner radius squared, 1 */
+    SMOOTH_POINT, /* x, y from the centre in radii, inner radius squared, 1 */
+    SMOOTH_WHOLE  /* nothing: polygons in colour index mode, whose fragments are all completely covered */
 };
 
 /* Attribute planes of one primitive: the value at integer pixel (X, Y), y down, is fma(dady, Y, fma(dadx, X,
@@ -84,7 +85,7 @@ struct runs {
  * long as a row of the framebuffer with its padding; NULL: as for other primitives. */
 struct pixel_inputs {
     const uint32_t *unorm8; /* for fused kernels: colours as a buffer of COLOR_UNORM8 has them */
-    const float *color[4]; /* all or none */
+    const float *color[4]; /* all or none; colour index mode: the first alone */
     const float *depth;    /* [0,1] */
 };
 
@@ -101,6 +102,7 @@ struct fragment_kernels {
      * no stipple */
     fragment_fill_fn *fused[DEPTH_KINDS][COLOR_SOURCES];
     fragment_fill_fn *general; /* everything that a plan and planes can ask for */
+    fragment_fill_fn *index;   /* the same in colour index mode: COLOR_INDEX8 */
 };
 
 struct fragment_plan {
@@ -113,6 +115,7 @@ struct fragment_plan {
     bool has_secondary; /* separate specular or colour sum: LANE_SECONDARY */
     bool has_fog;
     GLenum fog_mode;
+    float fog_index; /* colour index mode */
     struct fog_numbers { /* linear f = z*p+q, exp k = density*log2 e, exp2 k' = density*sqrt(log2 e) */
         float p, q, k;
     } fog;

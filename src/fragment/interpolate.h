@@ -69,9 +69,10 @@ static inline void add_secondary_color(struct fragments *f, const struct fragmen
     }
 }
 
-static inline void apply_fog(struct fragments *f, const struct fragment_plan *plan, const struct planes *p)
+/* How much of itself each fragment keeps: f of GL 1.5, 3.10, in [0,1]. */
+static inline void fog_factor(const struct fragments *f, const struct fragment_plan *plan, const struct planes *p,
+                              real *FGL_RESTRICT factor)
 {
-    real factor[FRAGMENT_GROUP];
     FOR_GROUP(i) factor[i] = plane_at(p, LANE_FOG, f->fx[i], f->fy) * f->w[i];
     const real k = FOG_NUMBERS(plan)->k, fog_p = FOG_NUMBERS(plan)->p, fog_q = FOG_NUMBERS(plan)->q;
     if (plan->fog_mode == GL_LINEAR)
@@ -81,6 +82,12 @@ static inline void apply_fog(struct fragments *f, const struct fragment_plan *pl
     else
         FOR_GROUP(i) factor[i] = r_exp2(-(factor[i] * k * (factor[i] * k)));
     FOR_GROUP(i) factor[i] = r_saturate(factor[i]);
+}
+
+static inline void apply_fog(struct fragments *f, const struct fragment_plan *plan, const struct planes *p)
+{
+    real factor[FRAGMENT_GROUP];
+    fog_factor(f, plan, p, factor);
     for (int c = 0; c < 3; c++) {
         const real fog = (real)plan->fog_color[c];
         FOR_GROUP(i) f->color[c][i] = fog * (1 - factor[i]) + f->color[c][i] * factor[i];

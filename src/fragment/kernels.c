@@ -3,6 +3,7 @@
  * FGL_ARITH naming it. */
 #include "fragment/fused.h"
 #include "fragment/general.h"
+#include "fragment/index.h"
 
 extern const struct fragment_kernels FGL_KERNELS(fragment);
 const struct fragment_kernels FGL_KERNELS(fragment) = {
@@ -11,4 +12,5 @@ const struct fragment_kernels FGL_KERNELS(fragment) = {
                   [DEPTH_LEQUAL] = {fill_constant_lequal, fill_flat_lequal, fill_smooth_lequal,
                                     fill_image_lequal}},
         .general = general_fill,
+        .index = index_fill,
 };

@@ -1,5 +1,6 @@
 /* From state to the fragment plan: the stages that the state requires, and a fused kernel where there is one
  * for just these. */
+#include "base/color_index.h"
 #include "fragment/fragment.h"
 
 /* Lanes that the stages read, in whole groups. */
@@ -26,6 +27,7 @@ static void validate_fog(struct fragment_plan *plan, const struct fog_state *fog
     plan->fog.k = (float)exact->k;
     for (int i = 0; i < 4; i++)
         plan->fog_color[i] = fgl_clamp01(fog->fog_color[i]); /* queries clamp too */
+    plan->fog_index = fog->fog_index;
 }
 
 /* The kernel that does just what the plan asks for, or NULL. */
@@ -44,6 +46,17 @@ static fragment_fill_fn *fused_kernel(const struct fragment_plan *plan)
             ->fused[plan->depth_func == GL_LESS ? DEPTH_LESS : DEPTH_LEQUAL][plan->color_source];
 }
 
+/* Colour index mode: neither colour sum nor alpha test nor blending (GL 1.5, 3.9, 4.1.4, 4.1.8), a logical
+ * operation and a write mask of its own (4.1.10, 4.2.2). */
+static void validate_index(struct fragment_plan *plan, const struct color_buffer_state *color)
+{
+    plan->has_secondary = plan->alpha_test = plan->blend = false;
+    plan->logic_op = color->index_logic_op;
+    plan->color_write = color->index_writemask & FGL_INDEX_MAX && color->draw_buffer != GL_NONE;
+    plan->lanes = lanes_of(plan);
+    plan->fill = plan->general = fgl_fragment_kernels(plan->arith)->index;
+}
+
 void fgl_fragment_validate(struct fragment_plan *plan, const struct server_state *s, struct framebuffer *fb,
                            bool general)
 {
@@ -57,7 +70,7 @@ void fgl_fragment_validate(struct fragment_plan *plan, const struct server_state
     plan->alpha_test = color->alpha_test && color->alpha_test_func != GL_ALWAYS;
     plan->depth_test = s->depth.depth_test && fb->depth;
     plan->depth_write = plan->depth_test && s->depth.depth_writemask;
-    plan->stencil_test = s->stencil.stencil_test && fb->stencil;
+    plan->stencil_test = s->stencil.stencil_test && fgl_framebuffer_need_stencil(fb) && fb->stencil;
     plan->logic_op = color->color_logic_op;
     plan->blend = color->blend && !plan->logic_op; /* GL 1.5, 4.1.9: a logical operation replaces blending */
     plan->color_write = false;
@@ -66,6 +79,10 @@ void fgl_fragment_validate(struct fragment_plan *plan, const struct server_state
         plan->color_write |= plan->channel_write[i];
     }
     plan->lanes = lanes_of(plan);
+    if (fb->color_kind == COLOR_INDEX8) {
+        validate_index(plan, color);
+        return;
+    }
 
     fragment_fill_fn *fused = general ? NULL : fused_kernel(plan);
     plan->general = fgl_fragment_kernels(plan->arith)->general;

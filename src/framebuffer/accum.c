@@ -51,6 +51,8 @@ static void fetch_color(const struct framebuffer *fb, size_t at, int n, float *F
         for (int i = 0; i < 4 * n; i++)
             color[i] = floats[i];
         break;
+    case COLOR_INDEX8: /* has no accumulation buffer */
+        break;
     }
     for (int i = 0; !fb->has_alpha && i < n; i++)
         color[4 * i + 3] = 1.0f;

@@ -9,6 +9,7 @@ static size_t color_bytes(enum color_kind kind)
     case COLOR_UNORM16: return 8;
     case COLOR_FLOAT: return 16;
     case COLOR_565: return 2;
+    case COLOR_INDEX8: return 1;
     default: return 4;
     }
 }

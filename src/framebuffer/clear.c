@@ -1,6 +1,8 @@
 /* Clearing (GL 1.5, 4.2.3 "Clearing the Buffers"). */
 #include "framebuffer/framebuffer.h"
 
+#include "base/color_index.h"
+
 #include <string.h>
 
 static void fill32(uint32_t *p, int n, uint32_t value, uint32_t mask)
@@ -50,6 +52,7 @@ static void clear_row(struct framebuffer *fb, size_t at, int n, const float colo
     }
     case COLOR_UNORM16: clear_row_unorm16((uint16_t *)fb->color + 4 * at, n, color, mask); break;
     case COLOR_FLOAT: clear_row_float((float *)fb->color + 4 * at, n, color, mask); break;
+    case COLOR_INDEX8: break; /* fgl_clear_index */
     case COLOR_565: {
         const uint32_t value = fgl_unorm(color[0], 31.0f) << 11 | fgl_unorm(color[1], 63.0f) << 5 | fgl_unorm(color[2], 31.0f);
         const uint32_t bits = (mask[0] ? 0xf800u : 0) | (mask[1] ? 0x07e0u : 0) | (mask[2] ? 0x001fu : 0);
@@ -63,6 +66,22 @@ void fgl_clear_color(struct framebuffer *fb, struct rect r, const float color[4]
 {
     for (int y = r.y0; y < r.y1; y++)
         clear_row(fb, (size_t)y * (size_t)fb->stride + (size_t)r.x0, r.x1 - r.x0, color, mask);
+}
+
+/* The bits in mask of a plane of bytes. */
+static void clear_bytes(uint8_t *plane, int stride, struct rect r, uint8_t value, uint8_t mask)
+{
+    for (int y = r.y0; y < r.y1; y++) {
+        uint8_t *p = plane + (size_t)y * (size_t)stride + r.x0;
+        for (int i = 0; i < r.x1 - r.x0; i++)
+            p[i] = (uint8_t)((p[i] & ~mask) | (value & mask));
+    }
+}
+
+/* The integer part of the index counts. */
+void fgl_clear_index(struct framebuffer *fb, struct rect r, float index, unsigned writemask)
+{
+    clear_bytes(fb->color, fb->stride, r, (uint8_t)fgl_index_mask((double)index), (uint8_t)writemask);
 }
 
 void fgl_clear_depth(struct framebuffer *fb, struct rect r, double depth)
@@ -80,10 +99,5 @@ void fgl_clear_stencil(struct framebuffer *fb, struct rect r, int value, unsigne
 {
     if (!fb->stencil_bits || !fgl_framebuffer_need_stencil(fb))
         return;
-    const uint8_t v = (uint8_t)value, m = (uint8_t)writemask;
-    for (int y = r.y0; y < r.y1; y++) {
-        uint8_t *p = fb->stencil + (size_t)y * (size_t)fb->stride + r.x0;
-        for (int i = 0; i < r.x1 - r.x0; i++)
-            p[i] = (uint8_t)((p[i] & ~m) | (v & m));
-    }
+    clear_bytes(fb->stencil, fb->stride, r, (uint8_t)value, (uint8_t)writemask);
 }

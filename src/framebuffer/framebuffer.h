@@ -15,7 +15,8 @@ enum color_kind {
     COLOR_UNORM8,  /* uint32_t a pixel: red in the low byte, then green, blue, alpha */
     COLOR_UNORM16, /* four uint16_t a pixel: red, green, blue, alpha */
     COLOR_FLOAT,   /* four floats a pixel, neither rounded nor clamped */
-    COLOR_565      /* uint16_t a pixel: red in the high 5 bits */
+    COLOR_565,     /* uint16_t a pixel: red in the high 5 bits */
+    COLOR_INDEX8   /* uint8_t a pixel: a colour index (colour index mode) */
 };
 
 struct framebuffer {
@@ -44,6 +45,8 @@ struct rect {
 
 /* clear.c (GL 1.5, 4.2.3). Colour as given to glClearColor; only channels in mask. */
 void fgl_clear_color(struct framebuffer *fb, struct rect r, const float color[4], const bool mask[4]);
+/* Colour index mode: as given to glClearIndex; only bits in writemask. */
+void fgl_clear_index(struct framebuffer *fb, struct rect r, float index, unsigned writemask);
 void fgl_clear_depth(struct framebuffer *fb, struct rect r, double depth);
 void fgl_clear_stencil(struct framebuffer *fb, struct rect r, int value, unsigned writemask);
 

@@ -138,6 +138,7 @@ static void fetch_color(const struct framebuffer *fb, int x, int y, int n, const
     case COLOR_UNORM16: fetch_unorm16(fb, at, n, row); break;
     case COLOR_FLOAT: fetch_float(fb, at, n, row); break;
     case COLOR_565: fetch_565(fb, at, n, row, bytes); break;
+    case COLOR_INDEX8: break; /* fetch_index */
     }
     if (as_float || (row->bits == 16 && type->kind == COMPONENT_PACKED && !bytes)) {
         fetched_to_float(row, n);
@@ -147,6 +148,25 @@ static void fetch_color(const struct framebuffer *fb, int x, int y, int n, const
                 row->integer[c][i] = resize_unorm(row->integer[c][i], 16, 8);
         row->bits = 8;
     }
+}
+
+static void fetch_index(const struct pixel_pack *pack, const struct framebuffer *fb, int x, int y, int n,
+                        int32_t *index)
+{
+    const uint8_t *pixel = (const uint8_t *)fb->color + (size_t)y * (size_t)fb->stride + x;
+    for (int i = 0; i < n; i++)
+        index[i] = pixel[i];
+    fgl_transfer_index(pack->mode, pack->maps, false, index, n);
+}
+
+/* Reading colours from a framebuffer of indexes (3.6.5 "Color Index Lookup"). */
+static void fetch_index_as_color(const struct pixel_pack *pack, const struct framebuffer *fb, int x, int y,
+                                 int n, struct fetched_row *row)
+{
+    int32_t index[PIXEL_CHUNK];
+    fetch_index(pack, fb, x, y, n, index);
+    fgl_transfer_index_to_color(pack->maps, index, &row->color, n);
+    row->bits = 0;
 }
 
 /* GL 1.5, 4.3.2 "Conversion to L": R + G + B. OSMesa rule: the channels are clamped before, the sum after.
@@ -184,12 +204,16 @@ static void pack_color(const struct pixel_pack *pack, const struct framebuffer *
     const struct pixel_format *format = pack->image.format;
     const struct pixel_type *type = pack->image.type;
     const bool luminance = format->channel[0] == CHANNEL_LUMINANCE;
-    const bool transfer = fgl_transfer_color_active(pack->mode);
+    const bool indexed = fb->color_kind == COLOR_INDEX8;
+    const bool transfer = !indexed && fgl_transfer_color_active(pack->mode);
     /* OSMesa rule: index arithmetic, which does not concern colours, makes floats of them too. */
     const bool as_float = luminance || transfer || pack->mode->index_shift || pack->mode->index_offset;
     struct fetched_row row;
 
-    fetch_color(fb, x, y, n, type, as_float || type->kind == COMPONENT_FLOAT, &row);
+    if (indexed)
+        fetch_index_as_color(pack, fb, x, y, n, &row);
+    else
+        fetch_color(fb, x, y, n, type, as_float || type->kind == COMPONENT_FLOAT, &row);
     if (transfer)
         fgl_transfer_color(pack->mode, pack->maps, &row.color, n);
     if (luminance)
@@ -248,6 +272,16 @@ static uint32_t index_to_type(int32_t index, const struct pixel_type *type)
         return float_bits((float)index);
     return type->kind == COMPONENT_BITMAP ? (uint32_t)index & 1
                                           : (uint32_t)index & max_of(type_bits(type, 0));
+}
+
+static void pack_index(const struct pixel_pack *pack, const struct framebuffer *fb, int x, int y, int n,
+                       struct component_row *out)
+{
+    int32_t index[PIXEL_CHUNK];
+    fetch_index(pack, fb, x, y, n, index);
+    fgl_transfer_color_index(pack->mode, pack->maps, index, n);
+    for (int i = 0; i < n; i++)
+        out->value[0][i] = index_to_type(index[i], pack->image.type);
 }
 
 static void pack_stencil(const struct pixel_pack *pack, const struct framebuffer *fb, int x, int y, int n,
@@ -329,6 +363,7 @@ void fgl_pack_row(const struct pixel_pack *pack, const struct framebuffer *fb, i
         switch (pack->image.format->channel[0]) {
         case CHANNEL_DEPTH: pack_depth(pack, fb, x + done, y, count, &components); break;
         case CHANNEL_STENCIL: pack_stencil(pack, fb, x + done, y, count, &components); break;
+        case CHANNEL_INDEX: pack_index(pack, fb, x + done, y, count, &components); break;
         default: pack_color(pack, fb, x + done, y, count, &components); break;
         }
         store_row(&pack->image, row, column + done, count, &components);

@@ -52,15 +52,27 @@ static int32_t shift_index(int32_t index, int shift)
     return (int32_t)(shift < 0 ? (uint32_t)index >> -shift : (uint32_t)index << shift);
 }
 
+/* The index is rounded already. */
+static int32_t map_index(const struct pixel_map *map, int32_t index)
+{
+    return fgl_index_of(map->value[index & (map->size - 1)]);
+}
+
 void fgl_transfer_index(const struct pixel_mode_state *mode, const struct pixel_map *maps, bool stencil,
                         int32_t *index, int n)
 {
-    const struct pixel_map *map = &maps[PIXEL_MAP_S_TO_S];
     for (int i = 0; (mode->index_shift || mode->index_offset) && i < n; i++)
         index[i] =
                 (int32_t)((uint32_t)shift_index(index[i], mode->index_shift) + (uint32_t)mode->index_offset);
     for (int i = 0; stencil && mode->map_stencil && i < n; i++)
-        index[i] = fgl_index_of(map->value[index[i] & (map->size - 1)]);
+        index[i] = map_index(&maps[PIXEL_MAP_S_TO_S], index[i]);
+}
+
+void fgl_transfer_color_index(const struct pixel_mode_state *mode, const struct pixel_map *maps, int32_t *index,
+                              int n)
+{
+    for (int i = 0; mode->map_color && i < n; i++)
+        index[i] = map_index(&maps[PIXEL_MAP_I_TO_I], index[i]);
 }
 
 void fgl_transfer_index_to_color(const struct pixel_map *maps, const int32_t *index, struct color_row *row,

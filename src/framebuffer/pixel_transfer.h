@@ -36,6 +36,11 @@ static inline int32_t fgl_index_of(float v)
 void fgl_transfer_index(const struct pixel_mode_state *mode, const struct pixel_map *maps, bool stencil,
                         int32_t *index, int n);
 
+/* Colour indexes that stay indexes: through GL_PIXEL_MAP_I_TO_I when GL_MAP_COLOR is on (3.6.5 "Color Index
+ * Lookup"), after fgl_transfer_index. */
+void fgl_transfer_color_index(const struct pixel_mode_state *mode, const struct pixel_map *maps, int32_t *index,
+                              int n);
+
 /* Colour indexes to RGBA through GL_PIXEL_MAP_I_TO_R.. (3.6.4 "Conversion to RGB"). */
 void fgl_transfer_index_to_color(const struct pixel_map *maps, const int32_t *index, struct color_row *row,
                                  int n);

@@ -1,6 +1,8 @@
 /* Unpacking a row: load elements, convert each component, pixel transfer. */
 #include "framebuffer/pixel_unpack.h"
 
+#include "base/color_index.h"
+
 #include <string.h>
 
 const struct pixel_store fgl_packed_store = {.alignment = 1};
@@ -143,6 +145,15 @@ static void unpack_index(const struct pixel_unpack *unpack, int row, int column,
                                                       : (int32_t)v[i];
     }
     fgl_transfer_index(unpack->mode, unpack->maps, stencil, out, n);
+}
+
+void fgl_unpack_color_index(const struct pixel_unpack *unpack, int row, int column, int n, float *out)
+{
+    int32_t index[PIXEL_CHUNK];
+    unpack_index(unpack, row, column, n, false, index);
+    fgl_transfer_color_index(unpack->mode, unpack->maps, index, n);
+    for (int i = 0; i < n; i++)
+        out[i] = (float)(index[i] & FGL_INDEX_MAX);
 }
 
 void fgl_unpack_color(const struct pixel_unpack *unpack, int row, int column, int n, struct color_row *out)

@@ -20,6 +20,8 @@ struct pixel_unpack {
 void fgl_unpack_color(const struct pixel_unpack *unpack, int row, int column, int n, struct color_row *out);
 /* The same as pixels of COLOR_UNORM8: clamped, rounded half to even. */
 void fgl_unpack_unorm8(const struct pixel_unpack *unpack, int row, int column, int n, uint32_t *out);
+/* GL_COLOR_INDEX for a framebuffer of indexes: masked whole numbers (3.6.4 "Final Conversion"). */
+void fgl_unpack_color_index(const struct pixel_unpack *unpack, int row, int column, int n, float *out);
 /* GL_DEPTH_COMPONENT: in [0,1]. */
 void fgl_unpack_depth(const struct pixel_unpack *unpack, int row, int column, int n, float *out);
 /* GL_STENCIL_INDEX. */

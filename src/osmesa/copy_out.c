@@ -5,6 +5,7 @@
 
 typedef void copy_row_fn(void *to, const void *from, int n);
 
+static void row_index(void *to, const void *from, int n) { memcpy(to, from, (size_t)n); }
 static void row_rgba(void *to, const void *from, int n) { memcpy(to, from, (size_t)n * 4); }
 static void row_rgba16(void *to, const void *from, int n) { memcpy(to, from, (size_t)n * 8); }
 static void row_float(void *to, const void *from, int n) { memcpy(to, from, (size_t)n * 16); }
@@ -69,6 +70,7 @@ static copy_row_fn *choose(const struct osmesa_context *c, size_t *to_bytes, siz
 {
     const bool rgb = c->format == OSMESA_RGB || c->format == OSMESA_BGR;
     switch (c->fb.color_kind) {
+    case COLOR_INDEX8: *to_bytes = *from_bytes = 1; return row_index;
     case COLOR_565: *to_bytes = *from_bytes = 2; return row_565;
     case COLOR_UNORM16: *to_bytes = rgb ? 6 : 8; *from_bytes = 8; return rgb ? row_rgb16 : row_rgba16;
     case COLOR_FLOAT: *to_bytes = rgb ? 12 : 16; *from_bytes = 16; return rgb ? row_rgb_float : row_float;

@@ -6,6 +6,7 @@
 #include "api/list.h"
 #include "api/proc_address.h"
 #include "fixedgl.h"
+#include "pipeline/explain.h"
 #include "pipeline/pipeline.h"
 #include "texture/texture.h"
 
@@ -19,7 +20,7 @@ enum { MAX_SIZE = FGL_MAX_VIEWPORT };
 static bool known_format(GLenum format)
 {
     return format == OSMESA_RGBA || format == OSMESA_BGRA || format == OSMESA_ARGB || format == OSMESA_RGB ||
-           format == OSMESA_BGR || format == OSMESA_RGB_565;
+           format == OSMESA_BGR || format == OSMESA_RGB_565 || format == OSMESA_COLOR_INDEX;
 }
 
 /* OSMesa has 16-bit depth when asked for 16..23 bits without stencil, else 24, or none. */
@@ -47,10 +48,13 @@ static bool init_context(struct osmesa_context *c, OSMesaContext share)
     struct context *ctx = &c->gl;
     fgl_state_init(ctx);
     ctx->osmesa = c;
+    ctx->color_index = c->format == OSMESA_COLOR_INDEX;
     ctx->present = present;
     ctx->immediate = fgl_immediate_create();
     ctx->vertices = ctx->immediate;
     ctx->pipeline = fgl_pipeline_create();
+    if (ctx->color_index && ctx->pipeline)
+        fgl_explain_stop(ctx->pipeline); /* the lighting equation of indexes is not explained */
     if (share)
         fgl_list_store_retain(share->gl.lists);
     ctx->lists = share ? share->gl.lists : fgl_list_store_create();
@@ -74,7 +78,7 @@ static OSMesaContext create(GLenum format, int depth, int stencil, int accum, OS
     c->fb.depth_bits = choose_depth_bits(depth, stencil);
     c->fb.depth_max = (uint32_t)((1u << c->fb.depth_bits) - 1);
     c->fb.stencil_bits = stencil > 0 ? 8 : 0;
-    c->fb.accum_bits = accum > 0 ? 16 : 0;
+    c->fb.accum_bits = accum > 0 && format != OSMESA_COLOR_INDEX ? 16 : 0; /* GL 1.5, 4.2.4: RGBA mode only */
     c->fb.has_alpha = format == OSMESA_RGBA || format == OSMESA_BGRA || format == OSMESA_ARGB;
     if (!init_context(c, share)) {
         OSMesaDestroyContext(c);
@@ -147,6 +151,10 @@ static bool choose_kind(GLenum format, GLenum type, enum color_kind *kind)
     if (format == OSMESA_RGB_565) {
         *kind = COLOR_565;
         return type == GL_UNSIGNED_SHORT_5_6_5;
+    }
+    if (format == OSMESA_COLOR_INDEX) {
+        *kind = COLOR_INDEX8;
+        return type == GL_UNSIGNED_BYTE;
     }
     switch (type) {
     case GL_UNSIGNED_BYTE: *kind = COLOR_UNORM8; return true;

@@ -30,6 +30,7 @@ struct pixel_value fgl_explain_pixel(const struct framebuffer *fb, int row, int 
         case COLOR_565:
             v.color[c] = c == 0 ? half >> 11 : c == 1 ? half >> 5 & 63 : c == 2 ? half & 31 : 0;
             break;
+        case COLOR_INDEX8: v.color[c] = c == 0 ? ((const uint8_t *)fb->color)[at] : 0; break;
         }
     return v;
 }
@@ -43,6 +44,7 @@ void fgl_explain_put_pixel(const struct framebuffer *fb, int row, int x, const s
         ((uint32_t *)fb->color)[at] = (uint32_t)color[0] | (uint32_t)color[1] << 8 |
                                       (uint32_t)color[2] << 16 | (uint32_t)color[3] << 24;
         break;
+    case COLOR_INDEX8: ((uint8_t *)fb->color)[at] = (uint8_t)color[0]; break;
     case COLOR_UNORM16:
         for (int c = 0; c < 4; c++)
             ((uint16_t *)fb->color)[4 * at + c] = (uint16_t)color[c];

@@ -24,12 +24,13 @@ static void values(struct feedback_state *f, const float *v, int n)
         fgl_feedback_value(f, v[i]);
 }
 
-void fgl_feedback_vertex(struct feedback_state *f, const float window[4], const float color[4],
+void fgl_feedback_vertex(struct context *ctx, const float window[4], const float color[4],
                          const float texture_coords[4])
 {
+    struct feedback_state *f = &ctx->feedback;
     values(f, window, f->type == GL_2D ? 2 : f->type == GL_4D_COLOR_TEXTURE ? 4 : 3);
     if (f->type != GL_2D && f->type != GL_3D)
-        values(f, color, 4);
+        values(f, color, ctx->color_index ? 1 : 4); /* table 5.1: k is 1 in colour index mode */
     if (f->type == GL_3D_COLOR_TEXTURE || f->type == GL_4D_COLOR_TEXTURE)
         values(f, texture_coords, 4);
 }
@@ -56,10 +57,12 @@ static void vertex(const struct raster_plan *plan, const void *v, const void *pr
     const bool constant = f->color_source == COLOR_CONSTANT;
     float color[4], texture_coords[4] = {0};
     for (int i = 0; i < 4; i++)
-        color[i] = fgl_clamp01(constant ? f->constant_color[i] : lane(plan, given, LANE_COLOR + i));
+        color[i] = constant ? f->constant_color[i] : lane(plan, given, LANE_COLOR + i);
+    for (int i = 0; i < 4 && !plan->taker->color_index; i++)
+        color[i] = fgl_clamp01(color[i]);
     for (int i = 0; i < plan->lanes - LANE_TEX0 && i < 4; i++)
         texture_coords[i] = lane(plan, v, LANE_TEX0 + i);
-    fgl_feedback_vertex(&plan->taker->feedback, window, color, texture_coords);
+    fgl_feedback_vertex(plan->taker, window, color, texture_coords);
 }
 
 static void feedback_point(const struct raster_plan *plan, const void *v, float size)
@@ -100,7 +103,8 @@ void fgl_feedback_raster_position(struct context *ctx, GLenum token)
     if (ctx->render_mode != GL_FEEDBACK || !current->raster_position_valid)
         return;
     fgl_feedback_value(&ctx->feedback, (float)token);
-    fgl_feedback_vertex(&ctx->feedback, current->raster_position, current->raster_color,
+    fgl_feedback_vertex(ctx, current->raster_position,
+                        ctx->color_index ? &current->raster_index : current->raster_color,
                         current->raster_texture_coords[0]);
 }
 

@@ -24,8 +24,9 @@ void fgl_feedback_emit(const struct plan *plan, const struct vertex_batch *batch
 /* One more value into the feedback buffer, if it has room. */
 void fgl_feedback_value(struct feedback_state *f, float value);
 
-/* A vertex, as much of it as the buffer's type asks for. window: y up; w is w_clip. */
-void fgl_feedback_vertex(struct feedback_state *f, const float window[4], const float color[4],
+/* A vertex, as much of it as the buffer's type asks for. window: y up; w is w_clip. color: in colour index
+ * mode the index alone. */
+void fgl_feedback_vertex(struct context *ctx, const float window[4], const float color[4],
                          const float texture_coords[4]);
 
 /* What glBitmap, glDrawPixels and glCopyPixels do in GL_FEEDBACK mode in place of drawing: their token and

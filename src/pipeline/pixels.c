@@ -1,5 +1,6 @@
 #include "pipeline/pixels.h"
 
+#include "base/color_index.h"
 #include "pipeline/pipeline.h"
 
 #include <string.h>
@@ -34,6 +35,8 @@ void fgl_pixels_begin(struct context *ctx, enum pixel_kind kind, struct pixel_dr
     f->color_source = kind == PIXELS_COLOR ? COLOR_IMAGE : COLOR_CONSTANT;
     for (int c = 0; c < 4; c++)
         f->constant_color[c] = fgl_clamp01(ctx->s.current.raster_color[c]);
+    if (ctx->color_index)
+        f->constant_color[0] = (float)fgl_index_mask((double)ctx->s.current.raster_index);
     f->has_secondary = kind == PIXELS_BITMAP && color_sum(&ctx->s);
     fgl_fragment_validate(f, &ctx->s, ctx->framebuffer, ctx->pipeline->general);
     if (kind != PIXELS_BITMAP)
@@ -45,6 +48,8 @@ void fgl_pixels_begin(struct context *ctx, enum pixel_kind kind, struct pixel_dr
     fgl_raster_validate(&raster, &ctx->s, f);
     draw->bounds = raster.bounds;
     set_planes(&draw->planes, f->arith, &ctx->s.current);
+    if (ctx->color_index) /* GL 1.5, 3.6.4: the data of the raster position, its distance too */
+        fgl_plane_set(&draw->planes, f->arith, LANE_FOG, (double)ctx->s.current.raster_distance);
     ctx->framebuffer->drawn = true;
 }
 

@@ -42,7 +42,7 @@ static void to_window(const struct viewport_state *s, const float clip[4], float
     window[3] = clip[3];
 }
 
-/* The colours that lighting gives the position as a vertex. */
+/* The colours, or the index, that lighting gives the position as a vertex. */
 static bool light(struct context *ctx, const float object[4], struct current_state *current)
 {
     struct pipeline *p = ctx->pipeline;
@@ -56,6 +56,10 @@ static bool light(struct context *ctx, const float object[4], struct current_sta
         b->in[ATTR_POSITION].c[c][0] = object[c];
     fgl_vertex_run(&p->plan.vertex, b, p->general);
     fgl_vertex_round(&p->plan.vertex, b);
+    if (ctx->color_index) {
+        current->raster_index = b->color[0].c[0][0];
+        return true;
+    }
     for (int c = 0; c < 4; c++)
         current->raster_color[c] = b->color[0].c[c][0];
     for (int c = 0; c < 3; c++)

@@ -1,5 +1,6 @@
 /* Validation: from dirty state to the plan (docs/pipeline.md). The one place that decides which stages a draw runs.
  * Each update names the state that it depends on; unchanged state costs one comparison. */
+#include "base/color_index.h"
 #include "pipeline/pipeline.h"
 
 enum {
@@ -9,12 +10,17 @@ enum {
                     DIRTY_RASTER
 };
 
-static const uint32_t color_bit = 1u << ATTR_COLOR;
+/* The attribute that is the colour of a vertex. */
+static uint32_t color_bit(bool color_index)
+{
+    return 1u << (color_index ? ATTR_INDEX : ATTR_COLOR);
+}
 
 /* Where fragments get their colour from. */
-static enum color_source color_source(const struct server_state *s, uint32_t varying)
+static enum color_source color_source(const struct context *ctx, uint32_t varying)
 {
-    if (!s->lighting.lighting && !(varying & color_bit))
+    const struct server_state *s = &ctx->s;
+    if (!s->lighting.lighting && !(varying & color_bit(ctx->color_index)))
         return COLOR_CONSTANT;
     return s->lighting.shade_model == GL_FLAT ? COLOR_FLAT : COLOR_SMOOTH;
 }
@@ -27,7 +33,7 @@ static uint32_t fetch_mask(const struct plan *plan)
     if (v->need_normal)
         mask |= 1u << ATTR_NORMAL;
     if (!v->lighting)
-        mask |= color_bit;
+        mask |= color_bit(v->color_index);
     for (int m = 0; v->lighting && m < MAT_COUNT; m++)
         for (int face = 0; face < 2; face++)
             if (v->light.source[m][face] >= 0)
@@ -71,9 +77,11 @@ static void update_fragment(struct context *ctx, struct pipeline *p, uint32_t va
     struct plan *plan = &p->plan;
     struct fragment_plan *f = &plan->fragment;
     f->arith = fgl_context_arith(ctx);
-    f->color_source = color_source(&ctx->s, varying);
-    for (int i = 0; i < 4; i++)
-        f->constant_color[i] = fgl_clamp01(ctx->s.current.attr[ATTR_COLOR][i]); /* GL 1.5, 2.14.6 */
+    f->color_source = color_source(ctx, varying);
+    for (int i = 0; i < 4; i++) /* GL 1.5, 2.14.6 "Clamping or Masking" */
+        f->constant_color[i] = fgl_clamp01(ctx->s.current.attr[ATTR_COLOR][i]);
+    if (ctx->color_index)
+        f->constant_color[0] = (float)fgl_index_mask((double)ctx->s.current.attr[ATTR_INDEX][0]);
     f->has_secondary = ctx->s.lighting.lighting && ctx->s.lighting.light_model_color_control == GL_SEPARATE_SPECULAR_COLOR;
     fgl_fragment_validate(f, &ctx->s, ctx->framebuffer, p->general);
     fgl_raster_validate(&plan->raster, &ctx->s, f);

@@ -24,7 +24,7 @@ static FGL_ALWAYS_INLINE void setup_planes(const struct raster_plan *plan, struc
             plane_lanes(planes, LANE_SECONDARY, 3, true, &g, v, color + 4);
     }
     PLANES(planes)->z_offset = plan->offset_fill ? polygon_offset(plan, v) : 0;
-    planes->smoothing = SMOOTH_NONE;
+    planes->smoothing = plan->polygon_smoothing;
     planes->stipple = plan->polygon_stipple ? plan->stipple : NULL;
 }
 

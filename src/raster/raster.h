@@ -66,6 +66,7 @@ struct raster_plan {
     GLenum polygon_mode[2]; /* 0 front, 1 back */
     bool offset_point, offset_line, offset_fill;
     float offset_factor, offset_units; /* units in window z */
+    enum smoothing polygon_smoothing; /* of filled polygons: SMOOTH_NONE or SMOOTH_WHOLE */
     bool polygon_stipple;
     const struct polygon_stipple_state *stipple;
     float line_width, point_size;

@@ -64,6 +64,8 @@ void fgl_raster_validate(struct raster_plan *plan, const struct server_state *s,
     /* OSMesa rule: one unit is two steps of the depth buffer. */
     plan->offset_units =
             (float)((double)polygon->polygon_offset_units * (2.0 / (double)fragment->fb->depth_max));
+    plan->polygon_smoothing = /* OSMesa rule: polygons are not antialiased, but an index says so in its low bits */
+            polygon->polygon_smooth && fragment->fb->color_kind == COLOR_INDEX8 ? SMOOTH_WHOLE : SMOOTH_NONE;
     plan->polygon_stipple = polygon->polygon_stipple;
     plan->stipple = &s->polygon_stipple;
 

@@ -309,7 +309,8 @@ struct context {
     struct feedback_state feedback;
     struct selection_state selection;
 
-    GLenum accuracy; /* FIXEDGL_COMPATIBLE or FIXEDGL_EXACT: see fgl_context_arith */
+    bool color_index; /* colour index mode, for the life of the context; else RGBA mode */
+    GLenum accuracy;  /* FIXEDGL_COMPATIBLE or FIXEDGL_EXACT: see fgl_context_arith */
 
     /* The layers above, each known only to its own files. */
     struct immediate *immediate;     /* api/immediate.h: vertices between Begin and End */

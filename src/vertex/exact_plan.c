@@ -63,16 +63,15 @@ static void derive_geometry(struct exact_light *out, const struct light *light)
     out->k2 = (double)light->quadratic_attenuation;
 }
 
-static void derive_products(struct exact_light *out, const struct light *light, const struct lighting_plan *plan)
+static void derive_products(struct exact_light *out, const struct light_derived *light,
+                            const struct lighting_plan *plan)
 {
-    const float *const own[COLOR_COUNT] = {light->ambient, light->diffuse, light->specular};
-
     for (int color = 0; color < COLOR_COUNT; color++)
         for (int c = 0; c < 3; c++) {
-            out->color[color][c] = (double)own[color][c];
+            out->color[color][c] = (double)light->color[color][c];
             for (int face = 0; face < 2; face++)
                 out->product[face][color][c] =
-                        (double)own[color][c] * (double)plan->material[MAT_AMBIENT + color][face][c];
+                        (double)light->color[color][c] * (double)plan->material[MAT_AMBIENT + color][face][c];
         }
 }
 
@@ -202,7 +201,7 @@ void fgl_exact_light_validate(struct vertex_plan *plan, struct context *ctx)
     for (int i = 0; i < plan->light.n; i++) {
         const struct light *light = &ctx->s.lighting.light[plan->light.light[i].number];
         derive_geometry(&out->light[i], light);
-        derive_products(&out->light[i], light, &plan->light);
+        derive_products(&out->light[i], &plan->light.light[i], &plan->light);
         if (!is_finite_point(light->exact_position)) /* its attenuation is no number then */
             plan->light.light[i].key |= plan->light.light[i].key & LIGHT_POSITIONAL ? LIGHT_ATTENUATED : 0u;
     }

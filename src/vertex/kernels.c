@@ -5,6 +5,7 @@
  * written once, always inlined with constant flags, and instantiated here by one-line wrappers. */
 #include "base/cpu.h"
 #include "vertex/emit_kernel.h"
+#include "vertex/index_kernel.h"
 #include "vertex/light_kernel.h"
 #include "vertex/transform_kernel.h"
 
@@ -152,6 +153,10 @@ static void run_face(const struct vertex_plan *vertex, struct vertex_batch *b, i
         note3(trace->specular_sum, work->specular);
     }
 
+    if (vertex->color_index) {
+        light_indexes(plan, b, first, n, face, work);
+        return;
+    }
     clamp_sums(work->color, color, first, n);
     if (alpha < 0)
         fill_lane((real)fgl_clamp01(plan->base[face][3]), color->c[3] + first, n);
@@ -223,6 +228,8 @@ static bool run_chunk(const struct vertex_plan *plan, struct vertex_batch *b, in
         point_sizes(plan, b, first, n);
     if (plan->color_is_varying)
         run_colors(b, first, n);
+    if (plan->index_is_varying)
+        mask_lane(b->in[ATTR_INDEX].c[0] + first, RESULTS(b)->color[0].c[0] + first, n);
     if (plan->lighting)
         return run_lighting(plan, b, first, n, count, general, trace);
     if (trace)

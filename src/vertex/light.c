@@ -70,20 +70,22 @@ static bool follows_color(const struct lighting_state *state, enum fgl_material 
 }
 
 /* Where each parameter comes from: the vertices' colours, the vertices' materials, or a constant. */
-static void derive_materials(struct vertex_plan *plan, const struct server_state *s)
+static void derive_materials(struct vertex_plan *plan, const struct lighting_state *state)
 {
     struct lighting_plan *light = &plan->light;
     const int faces = light->two_sided ? 2 : 1;
 
     light->varying = false;
-    memcpy(light->material, s->lighting.material, sizeof light->material);
+    memcpy(light->material, state->material, sizeof light->material);
     for (int p = 0; p < MAT_COUNT; p++)
         for (int face = 0; face < 2; face++) {
             const int own = fgl_material_attr((enum fgl_material)p, face);
-            const bool follows = follows_color(&s->lighting, (enum fgl_material)p, face);
+            const bool follows = follows_color(state, (enum fgl_material)p, face);
             int *source = &light->source[p][face];
 
             *source = -1;
+            if (plan->color_index && p < MAT_SHININESS)
+                continue; /* RGBA materials play no part */
             if (follows && plan->varying >> ATTR_COLOR & 1)
                 *source = ATTR_COLOR;
             else if (!follows && (plan->varying >> own & 1))
@@ -236,9 +238,38 @@ static void derive_normals(struct vertex_plan *plan, const struct transform_stat
         plan->normal_scaling = NORMAL_RESCALE;
 }
 
+/* Color index lighting in the terms of RGBA lighting (GL 1.5, 2.14.5 "Color Index Lighting"): lights have
+ * intensities, .30 R + .59 G + .11 B, instead of colours and no ambient part, and the material reflects all of
+ * them; the diffuse sum and the specular one are wanted apart. */
+static void take_intensities(struct lighting_state *to, const struct lighting_state *from)
+{
+    *to = *from;
+    to->color_material = false;
+    to->light_model_color_control = GL_SEPARATE_SPECULAR_COLOR;
+    memset(to->light_model_ambient, 0, sizeof to->light_model_ambient);
+    for (int face = 0; face < 2; face++)
+        for (int c = 0; c < 4; c++) {
+            to->material[MAT_AMBIENT][face][c] = to->material[MAT_EMISSION][face][c] = 0.0f;
+            to->material[MAT_DIFFUSE][face][c] = to->material[MAT_SPECULAR][face][c] = 1.0f;
+        }
+    for (int i = 0; i < FGL_MAX_LIGHTS; i++) {
+        const float *d = from->light[i].diffuse, *s = from->light[i].specular;
+        for (int c = 0; c < 3; c++) {
+            to->light[i].ambient[c] = 0.0f;
+            to->light[i].diffuse[c] = 0.30f * d[0] + 0.59f * d[1] + 0.11f * d[2];
+            to->light[i].specular[c] = 0.30f * s[0] + 0.59f * s[1] + 0.11f * s[2];
+        }
+    }
+}
+
 void fgl_light_validate(struct vertex_plan *plan, struct context *ctx)
 {
+    struct lighting_state intensities;
     const struct lighting_state *state = &ctx->s.lighting;
+    if (plan->color_index) {
+        take_intensities(&intensities, state);
+        state = &intensities;
+    }
     struct matrix *modelview = &ctx->modelview.entry[ctx->modelview.top];
     const unsigned modelview_class = fgl_matrix_class(modelview);
     const float *inverse = fgl_matrix_inverse(modelview);
@@ -252,7 +283,7 @@ void fgl_light_validate(struct vertex_plan *plan, struct context *ctx)
     for (int c = 0; c < 3; c++)
         light->view_direction[c] = light->object_space ? modelview->m[4 * c + 2] : c == 2 ? 1.0f : 0.0f;
 
-    derive_materials(plan, &ctx->s);
+    derive_materials(plan, state);
     derive_constants(light);
     derive_lights(plan, state, inverse);
     derive_normals(plan, &ctx->s.transform, inverse, modelview_class);

@@ -97,7 +97,9 @@ void fgl_vertex_validate(struct vertex_plan *plan, struct context *ctx, uint32_t
     plan->varying = varying;
     plan->lighting = ctx->s.lighting.lighting;
     plan->need_fog_z = ctx->s.fog.fog && ctx->s.fog.fog_coord_src != GL_FOG_COORDINATE;
-    plan->color_is_varying = !plan->lighting && (varying >> ATTR_COLOR & 1);
+    plan->color_index = ctx->color_index;
+    plan->index_is_varying = plan->color_index && !plan->lighting && (varying >> ATTR_INDEX & 1);
+    plan->color_is_varying = !plan->color_index && !plan->lighting && (varying >> ATTR_COLOR & 1);
     if (plan->lighting && dirty & (DIRTY_MODELVIEW | DIRTY_LIGHT | DIRTY_MATERIAL | DIRTY_CURRENT |
                                    DIRTY_NORMALIZE | DIRTY_RASTER | DIRTY_VARYING))
         validate_lighting(plan, ctx);

@@ -102,6 +102,8 @@ struct vertex_plan {
     struct lighting_plan light;
     float point_size, point_size_min, point_size_max, point_attenuation[3];
 
+    bool color_index;      /* colour index mode: color[face].c[0] are indexes */
+    bool index_is_varying; /* the same as below, for indexes */
     bool color_is_varying; /* without lighting: colours come from the batch, else constant (not computed) */
     uint32_t varying;      /* the attributes that differ by vertex */
     float constant[ATTR_MATERIAL][4]; /* current values of the others */
