@@ -251,8 +251,9 @@ GLUTAPI void GLUTAPIENTRY glutInit(int *argcp, char **argv);
 GLUTAPI void GLUTAPIENTRY glutInitWindowPosition(int x, int y);
 GLUTAPI void GLUTAPIENTRY glutInitWindowSize(int width, int height);
 /* Display mode of windows created later. Every window has 8-bit RGBA, 24-bit depth and 8-bit stencil buffers;
- * GLUT_ACCUM adds a 16-bit accumulation buffer. GLUT_INDEX, GLUT_STEREO and GLUT_MULTISAMPLE are not
- * available and are ignored with a warning. */
+ * GLUT_ACCUM adds a 16-bit accumulation buffer. GLUT_INDEX gives an 8-bit color index buffer in place of RGBA,
+ * without accumulation, and a colormap. GLUT_STEREO and GLUT_MULTISAMPLE are not available and are ignored with a
+ * warning. */
 GLUTAPI void GLUTAPIENTRY glutInitDisplayMode(unsigned int mode);
 /* The same from words such as "rgb double depth>=16"; the comparisons are not evaluated. */
 GLUTAPI void GLUTAPIENTRY glutInitDisplayString(const char *words);
@@ -383,9 +384,14 @@ GLUTAPI void GLUTAPIENTRY glutReportErrors(void);
 GLUTAPI void GLUTAPIENTRY glutIgnoreKeyRepeat(int ignore);
 GLUTAPI void GLUTAPIENTRY glutSetKeyRepeat(int mode);
 
-/* Color index windows do not exist: nothing is set, every color reads as -1. */
-GLUTAPI void GLUTAPIENTRY glutSetColor(int color, GLfloat red, GLfloat green, GLfloat blue);
-GLUTAPI GLfloat GLUTAPIENTRY glutGetColor(int color, int component);
+/* ---- Colormaps of GLUT_INDEX windows (section 8): 256 cells, black at first, looked up when a picture is shown. ---- */
+
+/* Sets a cell of the current window's colormap, each value clamped to [0,1]. A window without colormap or a cell that
+ * does not exist is ignored with a warning. */
+GLUTAPI void GLUTAPIENTRY glutSetColor(int cell, GLfloat red, GLfloat green, GLfloat blue);
+/* GLUT_RED, GLUT_GREEN or GLUT_BLUE of a cell; -1 for anything that does not exist. */
+GLUTAPI GLfloat GLUTAPIENTRY glutGetColor(int cell, int component);
+/* The current window's colormap becomes a copy of that of `window`; ignored with a warning if either has none. */
 GLUTAPI void GLUTAPIENTRY glutCopyColormap(int window);
 
 /* ---- Fonts (section 10). An unknown font prints a warning; characters without a glyph draw nothing. ---- */

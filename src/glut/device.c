@@ -39,24 +39,6 @@ void glutHideOverlay(void)
     fgl_glut_require_window("glutHideOverlay");
 }
 
-void glutSetColor(int color, GLfloat red, GLfloat green, GLfloat blue)
-{
-    (void)color, (void)red, (void)green, (void)blue;
-    fgl_glut_require_window("glutSetColor");
-}
-
-GLfloat glutGetColor(int color, int component)
-{
-    (void)color, (void)component;
-    fgl_glut_require_window("glutGetColor");
-    return -1;
-}
-
-void glutCopyColormap(int id)
-{
-    (void)id, fgl_glut_require_window("glutCopyColormap");
-}
-
 int glutVideoResizeGet(GLenum query)
 {
     return query == GLUT_VIDEO_RESIZE_POSSIBLE ? 0 : -1;

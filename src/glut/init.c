@@ -118,13 +118,11 @@ void glutInitWindowSize(int width, int height)
 
 void glutInitDisplayMode(unsigned int mode)
 {
-    if (mode & GLUT_INDEX)
-        fgl_glut_warn("GLUT_INDEX is not available, using RGBA");
     if (mode & GLUT_STEREO)
         fgl_glut_warn("GLUT_STEREO is not available");
     if (mode & GLUT_MULTISAMPLE)
         fgl_glut_warn("GLUT_MULTISAMPLE is not available");
-    fgl_glut.mode = mode & ~(unsigned int)(GLUT_INDEX | GLUT_STEREO | GLUT_MULTISAMPLE);
+    fgl_glut.mode = mode & ~(unsigned int)(GLUT_STEREO | GLUT_MULTISAMPLE);
 }
 
 void glutInitDisplayString(const char *words)

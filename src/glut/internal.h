@@ -16,6 +16,11 @@
 #define FGL_NORETURN
 #endif
 
+enum { COLORMAP_SIZE = 256 };
+struct colormap {
+    float color[COLORMAP_SIZE][3]; /* red, green, blue in [0,1]; black until glutSetColor */
+};
+
 enum { FRAME_MS = 16, BUTTONS = 3 }; /* virtual milliseconds per headless frame; buttons a menu can have */
 
 struct callbacks {
@@ -44,6 +49,8 @@ struct window {
     unsigned int mode;     /* GLUT_* display mode bits */
     OSMesaContext context;
     unsigned char *pixels; /* width * height RGBA, lowest row first */
+    unsigned char *indexes; /* GLUT_INDEX: what the context draws to, of which fgl_window_finish makes pixels; else NULL */
+    struct colormap *colormap; /* GLUT_INDEX: its own; else NULL */
     int wanted_width, wanted_height;
     bool reshape, redisplay; /* callbacks due */
     bool shown, told_shown, destroyed, close_asked;
@@ -85,13 +92,17 @@ struct window *fgl_glut_require_window(const char *function);
 struct window *fgl_window_find(int id);
 struct window *fgl_window_root(struct window *w);
 void fgl_window_make_current(struct window *w);
-void fgl_window_finish(struct window *w); /* glFinish in it; the current window stays */
+/* glFinish in it, and pixels are up to date; the current window stays. */
+void fgl_window_finish(struct window *w);
 /* Gives the window buffers of that size and marks it for reshape and redisplay. */
 void fgl_window_resize(struct window *w, int width, int height);
 /* Frees the windows that glutDestroyWindow has marked. True while any window remains. */
 bool fgl_window_collect(void);
 /* The topmost descendant of w under a point; changes the point to its coordinates. */
 struct window *fgl_window_at(struct window *w, int *x, int *y);
+
+/* colormap.c: the colours of a GLUT_INDEX window's indexes into its pixels. */
+void fgl_colormap_show(struct window *w);
 
 /* clock.c */
 int fgl_clock_now(void); /* milliseconds since glutInit, real or virtual */

@@ -38,7 +38,7 @@ static int get_window(GLenum query, const struct window *w)
     case GLUT_WINDOW_Y: return w->y;
     case GLUT_WINDOW_WIDTH: return w->width;
     case GLUT_WINDOW_HEIGHT: return w->height;
-    case GLUT_WINDOW_BUFFER_SIZE: return 32;
+    case GLUT_WINDOW_BUFFER_SIZE: return w->colormap ? 8 : 32;
     case GLUT_WINDOW_STENCIL_SIZE: return gl_integer(GL_STENCIL_BITS);
     case GLUT_WINDOW_DEPTH_SIZE: return gl_integer(GL_DEPTH_BITS);
     case GLUT_WINDOW_RED_SIZE: return gl_integer(GL_RED_BITS);
@@ -50,11 +50,12 @@ static int get_window(GLenum query, const struct window *w)
     case GLUT_WINDOW_ACCUM_BLUE_SIZE: return gl_integer(GL_ACCUM_BLUE_BITS);
     case GLUT_WINDOW_ACCUM_ALPHA_SIZE: return gl_integer(GL_ACCUM_ALPHA_BITS);
     case GLUT_WINDOW_DOUBLEBUFFER: return (w->mode & GLUT_DOUBLE) != 0;
-    case GLUT_WINDOW_RGBA: return 1;
+    case GLUT_WINDOW_RGBA: return !w->colormap;
+    case GLUT_WINDOW_COLORMAP_SIZE: return w->colormap ? COLORMAP_SIZE : 0;
     case GLUT_WINDOW_PARENT: return w->parent ? w->parent->id : 0;
     case GLUT_WINDOW_NUM_CHILDREN: return child_count(w);
     case GLUT_WINDOW_CURSOR: return w->cursor;
-    default: return 0; /* color map size, samples, stereo, format id */
+    default: return 0; /* samples, stereo, format id */
     }
 }
 

@@ -1,4 +1,4 @@
-/* Windows. Each has an OSMesa context and one RGBA buffer; a child window is one drawn over its parent. */
+/* Windows. Each has an OSMesa context and one RGBA buffer, besides one of indexes with GLUT_INDEX; a child window is one drawn over its parent. */
 #include <stdlib.h>
 #include <string.h>
 #include <GL/glut.h>
@@ -21,7 +21,7 @@ struct window *fgl_window_root(struct window *w)
 
 void fgl_window_make_current(struct window *w)
 {
-    if (!OSMesaMakeCurrent(w->context, w->pixels, GL_UNSIGNED_BYTE, w->width, w->height))
+    if (!OSMesaMakeCurrent(w->context, w->colormap ? w->indexes : w->pixels, GL_UNSIGNED_BYTE, w->width, w->height))
         fgl_glut_fail(1, "cannot draw pictures of %d x %d", w->width, w->height);
     fgl_glut.current = w;
 }
@@ -31,6 +31,8 @@ void fgl_window_finish(struct window *w)
     struct window *current = fgl_glut.current;
     fgl_window_make_current(w);
     glFinish();
+    if (w->colormap)
+        fgl_colormap_show(w);
     if (current && current != w)
         fgl_window_make_current(current);
 }
@@ -38,16 +40,19 @@ void fgl_window_finish(struct window *w)
 void fgl_window_resize(struct window *w, int width, int height)
 {
     unsigned char *pixels = calloc((size_t)width * 4, (size_t)height);
-    if (!pixels)
+    unsigned char *indexes = w->colormap ? calloc((size_t)width, (size_t)height) : NULL;
+    if (!pixels || (w->colormap && !indexes))
         fgl_glut_fail(1, "no memory for a picture of %d x %d", width, height);
-    unsigned char *old = w->pixels;
+    unsigned char *old = w->pixels, *old_indexes = w->indexes;
     w->pixels = pixels;
+    w->indexes = indexes;
     w->width = w->wanted_width = width;
     w->height = w->wanted_height = height;
     w->reshape = w->redisplay = true;
     struct window *current = fgl_glut.current;
     fgl_window_make_current(w);
-    free(old); /* only now: it was the context's buffer */
+    free(old); /* only now: one was the context's buffer */
+    free(old_indexes);
     if (current && current != w)
         fgl_window_make_current(current);
 }
@@ -70,6 +75,17 @@ static void unlink_window(struct window *w)
 }
 
 /* Depth and stencil are always there, as every OSMesa picture is drawn; accumulation only when asked for. */
+static void create_context(struct window *w)
+{
+    bool indexed = w->mode & GLUT_INDEX;
+    w->context = OSMesaCreateContextExt(indexed ? OSMESA_COLOR_INDEX : OSMESA_RGBA, 24, 8,
+                                        w->mode & GLUT_ACCUM ? 16 : 0, NULL);
+    if (!w->context)
+        fgl_glut_fail(1, "cannot create a context%s", indexed ? " in color index mode" : "");
+    if (indexed && !(w->colormap = calloc(1, sizeof *w->colormap)))
+        fgl_glut_fail(1, "no memory for a colormap");
+}
+
 static struct window *create(struct window *parent, int x, int y, int width, int height)
 {
     struct window *w = calloc(1, sizeof *w);
@@ -82,9 +98,7 @@ static struct window *create(struct window *parent, int x, int y, int width, int
     w->mode = parent ? parent->mode : fgl_glut.mode;
     w->cursor = GLUT_CURSOR_INHERIT;
     w->shown = true;
-    w->context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, w->mode & GLUT_ACCUM ? 16 : 0, NULL);
-    if (!w->context)
-        fgl_glut_fail(1, "cannot create a context");
+    create_context(w);
     append(w);
     fgl_glut.current = w;
     fgl_window_resize(w, width, height);
@@ -147,6 +161,8 @@ bool fgl_window_collect(void)
                 fgl_platform_close(w);
             OSMesaDestroyContext(w->context);
             free(w->pixels);
+            free(w->indexes);
+            free(w->colormap);
             free(w);
         }
         w = next;
