@@ -8,6 +8,7 @@
 
 #include "base/cpu.h"
 #include "base/fgl.h"
+#include "fragment/texture.h"
 #include "framebuffer/framebuffer.h"
 #include "state/context.h"
 
@@ -20,7 +21,8 @@ enum {
     LANE_COLOR = 4,     /* r g b a; colour index mode: the index */
     LANE_SECONDARY = 8, /* r g b */
     LANE_FOG = 11,      /* |z_eye| or the fog coordinate */
-    LANE_TEX0 = 12,     /* s t r q of each unit */
+    LANE_TEX0 = 12,     /* s t r q of the units whose coordinates are interpolated, one after the other; here, or earlier where
+                           the lanes before are not needed: struct texture_stage */
     LANE_SMOOTH = LANE_TEX0 +
                   4 * FGL_MAX_TEXTURE_UNITS, /* enum smoothing: made by the rasterizer, not in vertices */
     LANE_MAX = LANE_SMOOTH + 4,
@@ -113,6 +115,7 @@ struct fragment_plan {
     enum color_source color_source;
     float constant_color[4];
     bool has_secondary; /* separate specular or colour sum: LANE_SECONDARY */
+    uint32_t texture_varying; /* bit: a unit whose texture coordinates differ by fragment */
     bool has_fog;
     GLenum fog_mode;
     float fog_index; /* colour index mode */
@@ -129,13 +132,15 @@ struct fragment_plan {
     struct color_buffer_state color_buffer;
     struct stencil_state stencil;
     GLenum depth_func;
+    int textures; /* stages: units that draw a texture */
+    struct texture_stage texture[FGL_MAX_TEXTURE_UNITS];
     const struct pixel_inputs *pixels; /* NULL but for pixel rectangles; not NULL for COLOR_IMAGE */
 
     int lanes; /* lanes of a raster vertex that this plan reads, a multiple of LANE_GROUP */
     struct framebuffer *fb;
 };
 
-/* Fills *plan from state, but arith, color_source, constant_color and has_secondary: these depend on the vertex
+/* Fills *plan from state, but arith, color_source, constant_color, has_secondary and texture_varying: these depend on the vertex
  * stage, and the caller has set them before. general: no fused kernel (FIXEDGL_PATH=general). */
 void fgl_fragment_validate(struct fragment_plan *plan, const struct server_state *s, struct framebuffer *fb,
                            bool general);

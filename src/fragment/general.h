@@ -5,6 +5,7 @@
 #define FGL_FRAGMENT_GENERAL_H
 
 #include "fragment/blend.h"
+#include "fragment/texture_environment.h"
 
 static void general_group(const struct fragment_plan *plan, const struct planes *planes, int row, int x,
                           int x0, int x1)
@@ -12,6 +13,8 @@ static void general_group(const struct fragment_plan *plan, const struct planes 
     struct fragments f;
     start_fragments(&f, plan, planes, row, x, x0, x1);
     interpolate_color(&f, plan, planes);
+    if (plan->textures)
+        apply_textures(&f, plan, planes);
     if (plan->has_secondary)
         add_secondary_color(&f, plan, planes);
     if (plan->has_fog)

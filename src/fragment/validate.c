@@ -3,7 +3,7 @@
 #include "base/color_index.h"
 #include "fragment/fragment.h"
 
-/* Lanes that the stages read, in whole groups. */
+/* Lanes that the stages read but those of textures, in whole groups. */
 static int lanes_of(const struct fragment_plan *plan)
 {
     if (plan->has_secondary || plan->has_fog)
@@ -34,7 +34,7 @@ static void validate_fog(struct fragment_plan *plan, const struct fog_state *fog
 static fragment_fill_fn *fused_kernel(const struct fragment_plan *plan)
 {
     const bool *write = plan->channel_write;
-    if (plan->fb->color_kind != COLOR_UNORM8 || plan->has_secondary || plan->has_fog || plan->alpha_test ||
+    if (plan->fb->color_kind != COLOR_UNORM8 || plan->has_secondary || plan->has_fog || plan->textures || plan->alpha_test ||
         plan->stencil_test || plan->blend || plan->logic_op ||
         !(write[0] && write[1] && write[2] && write[3]))
         return NULL;
@@ -83,6 +83,9 @@ void fgl_fragment_validate(struct fragment_plan *plan, const struct server_state
         validate_index(plan, color);
         return;
     }
+    plan->textures = fgl_texture_stages(plan->texture, s, plan->texture_varying, plan->lanes);
+    for (int i = 0; i < plan->textures; i++)
+        plan->lanes += plan->texture[i].source == COORDINATES_PLANES ? LANE_GROUP : 0;
 
     fragment_fill_fn *fused = general ? NULL : fused_kernel(plan);
     plan->general = fgl_fragment_kernels(plan->arith)->general;

@@ -113,6 +113,7 @@ static void run(struct scratch *s, struct fragment_plan *plan, enum color_kind k
 static struct fragment_plan bare_plan(const struct fragment_plan *plan)
 {
     struct fragment_plan f = *plan;
+    f.textures = 0;
     f.has_secondary = f.has_fog = f.alpha_test = f.depth_test = f.depth_write = f.stencil_test = f.blend =
             f.logic_op = false;
     f.color_write = true;

@@ -5,9 +5,9 @@
 
 enum {
     VERTEX_DEPS = DIRTY_MODELVIEW | DIRTY_PROJECTION | DIRTY_TEXTURE_MATRIX | DIRTY_LIGHT | DIRTY_MATERIAL | DIRTY_CURRENT |
-                  DIRTY_NORMALIZE | DIRTY_CLIP_PLANE | DIRTY_VIEWPORT | DIRTY_VARYING | DIRTY_FOG | DIRTY_FRAMEBUFFER,
+                  DIRTY_NORMALIZE | DIRTY_CLIP_PLANE | DIRTY_VIEWPORT | DIRTY_VARYING | DIRTY_FOG | DIRTY_FRAMEBUFFER | DIRTY_TEXTURE,
     FRAGMENT_DEPS = DIRTY_LIGHT | DIRTY_CURRENT | DIRTY_VARYING | DIRTY_FRAGMENT | DIRTY_FOG | DIRTY_FRAMEBUFFER | DIRTY_SCISSOR |
-                    DIRTY_RASTER
+                    DIRTY_RASTER | DIRTY_TEXTURE | DIRTY_TEXTURE_MATRIX
 };
 
 /* The attribute that is the colour of a vertex. */
@@ -38,6 +38,8 @@ static uint32_t fetch_mask(const struct plan *plan)
         for (int face = 0; face < 2; face++)
             if (v->light.source[m][face] >= 0)
                 mask |= 1u << v->light.source[m][face];
+    for (int k = 0; k < v->textures; k++)
+        mask |= 1u << (ATTR_TEX0 + v->texture[k].unit);
     if (!plan->polygon_fill)
         mask |= 1u << ATTR_EDGE_FLAG;
     return mask;
@@ -59,7 +61,11 @@ static void update_emit(struct plan *plan)
     e->secondary = plan->fragment.has_secondary;
     e->fog = plan->fragment.has_fog;
     e->two_sided = plan->vertex.lighting && plan->vertex.light.two_sided;
-    e->lanes = e->fog || e->secondary ? LANE_TEX0 : e->color ? LANE_SECONDARY : LANE_COLOR;
+    e->textures = plan->vertex.textures;
+    for (int k = 0; k < e->textures; k++)
+        e->texture_unit[k] = plan->vertex.texture[k].computed ? -1 : plan->vertex.texture[k].unit;
+    e->texture_lane = e->fog || e->secondary ? LANE_TEX0 : e->color ? LANE_SECONDARY : LANE_COLOR;
+    e->lanes = e->texture_lane + 4 * e->textures;
     e->back_lane = e->lanes;
     fgl_emit_layout(e, arith, e->lanes + (e->two_sided ? (e->secondary ? 8 : 4) : 0));
     plan->clip = fgl_clip_kernels(arith);
@@ -83,6 +89,9 @@ static void update_fragment(struct context *ctx, struct pipeline *p, uint32_t va
     if (ctx->color_index)
         f->constant_color[0] = (float)fgl_index_mask((double)ctx->s.current.attr[ATTR_INDEX][0]);
     f->has_secondary = ctx->s.lighting.lighting && ctx->s.lighting.light_model_color_control == GL_SEPARATE_SPECULAR_COLOR;
+    f->texture_varying = 0;
+    for (int k = 0; k < plan->vertex.textures; k++)
+        f->texture_varying |= 1u << plan->vertex.texture[k].unit;
     fgl_fragment_validate(f, &ctx->s, ctx->framebuffer, p->general);
     fgl_raster_validate(&plan->raster, &ctx->s, f);
     plan->polygon_fill = plan->raster.polygon_mode[0] == GL_FILL && plan->raster.polygon_mode[1] == GL_FILL;

@@ -67,3 +67,11 @@ bool fgl_texture_complete(struct texture_object *object)
     }
     return object->complete;
 }
+
+struct texture_object *fgl_texture_current(const struct texture_unit *unit)
+{
+    for (int t = TEXTURE_TARGETS - 1; t >= 0; t--)
+        if ((unit->enabled >> t & 1) && fgl_texture_complete(unit->bound[t]))
+            return unit->bound[t];
+    return NULL;
+}

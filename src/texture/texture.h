@@ -81,6 +81,9 @@ static inline void fgl_texture_changed(struct texture_object *object)
 /* Whether the object can be drawn with (GL 1.5, 3.8.10 "Texture Completeness"). */
 bool fgl_texture_complete(struct texture_object *object);
 
+/* The texture that a unit draws with. OSMesa rule: of the targets that are enabled and complete the one of highest precedence; NULL: none. */
+struct texture_object *fgl_texture_current(const struct texture_unit *unit);
+
 /* The last level that mipmapping filters use: q of 3.8.8. The object is complete and its min_filter mipmaps. */
 int fgl_texture_last_level(const struct texture_object *object);
 

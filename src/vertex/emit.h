@@ -12,7 +12,7 @@ enum { CLIP_LANES = 4, EXACT_CLIP_LANES = 8 };
 #define CLIP_VERTEX_LANES (R_EXACT ? (int)EXACT_CLIP_LANES : (int)CLIP_LANES) /* in kernels */
 
 /* Which batch arrays a raster vertex has. The lanes are those of fragment/fragment.h: position 0..3, colour 4..7, secondary colour 8..10,
- * fog 11; then, when two-sided, the back face's colour and secondary colour in the same order, from back_lane. */
+ * fog 11; then, from texture_lane on, four lanes for each texture of struct vertex_plan; then, when two-sided, the back face's colour and secondary colour in the same order, from back_lane. */
 struct emit_plan {
     enum fgl_arith arith;
     size_t record_bytes, clip_bytes; /* of a raster vertex, of a clip vertex */
@@ -20,6 +20,8 @@ struct emit_plan {
     int lanes;  /* lanes without the back face's */
     bool color, secondary, fog, two_sided;
     int back_lane;
+    int textures, texture_lane;
+    int texture_unit[FGL_MAX_TEXTURE_UNITS]; /* whose given coordinates are handed over; -1: those computed */
 };
 
 /* Sets arith and stride, and the sizes that follow from them. */

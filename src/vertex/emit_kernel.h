@@ -26,10 +26,30 @@ static void emit8(real *FGL_RESTRICT to, const real_lanes4 *FGL_RESTRICT win, co
         }
 }
 
+/* Coordinates as they were given. */
+static void emit_given(real *FGL_RESTRICT to, int stride, const struct lanes4 *from, int n)
+{
+    for (int i = 0; i < n; i++, to += stride)
+        for (int c = 0; c < 4; c++)
+            to[c] = (real)from->c[c][i];
+}
+
+static void emit_textures(const struct emit_plan *plan, const struct vertex_batch *batch, real *record)
+{
+    for (int k = 0; k < plan->textures; k++) {
+        const int unit = plan->texture_unit[k];
+        real *to = record + plan->texture_lane + 4 * k;
+        if (unit < 0)
+            emit4(to, plan->stride, &RESULTS(batch)->texture[k], batch->n);
+        else
+            emit_given(to, plan->stride, &batch->in[ATTR_TEX0 + unit], batch->n);
+    }
+}
+
 static void emit_records(const struct emit_plan *plan, const struct vertex_batch *batch, real *record)
 {
     const int stride = plan->stride, n = batch->n;
-    if (stride == 8 && plan->color) {
+    if (stride == 8 && plan->color && !plan->textures) {
         emit8(record, &RESULTS(batch)->win, &RESULTS(batch)->color[0], n);
         return;
     }
@@ -41,6 +61,7 @@ static void emit_records(const struct emit_plan *plan, const struct vertex_batch
     if (plan->fog)
         for (int i = 0; i < n; i++)
             record[i * stride + 11] = RESULTS(batch)->fog_z[i];
+    emit_textures(plan, batch, record);
     if (plan->two_sided)
         emit4(record + plan->back_lane, stride, &RESULTS(batch)->color[1], n);
     if (plan->two_sided && plan->secondary)

@@ -7,7 +7,7 @@
 #include "vertex/emit_kernel.h"
 #include "vertex/index_kernel.h"
 #include "vertex/light_kernel.h"
-#include "vertex/transform_kernel.h"
+#include "vertex/texgen_kernel.h"
 
 #define STRING_OF(isa) #isa
 #define ISA_STRING(isa) STRING_OF(isa)
@@ -166,6 +166,19 @@ static void run_face(const struct vertex_plan *vertex, struct vertex_batch *b, i
         clamp_sums(work->specular, &RESULTS(b)->secondary[face], first, n);
 }
 
+/* Texture coordinates that are computed. They always use eye space: OSMesa rule. */
+static void run_textures(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n, bool general)
+{
+    struct vertex_work work;
+    if (plan->texgen_eye)
+        transform_eye(plan, b, first, n, &work);
+    if (plan->texgen_normal)
+        run_normals(plan, b, first, n, &work, general);
+    for (int k = 0; k < plan->textures; k++)
+        if (plan->texture[k].computed)
+            run_texture(plan, b, k, &work, first, n);
+}
+
 static void run_colors(struct vertex_batch *b, int first, int n)
 {
     for (int c = 0; c < 4; c++)
@@ -230,6 +243,8 @@ static bool run_chunk(const struct vertex_plan *plan, struct vertex_batch *b, in
         run_colors(b, first, n);
     if (plan->index_is_varying)
         mask_lane(b->in[ATTR_INDEX].c[0] + first, RESULTS(b)->color[0].c[0] + first, n);
+    if (plan->textures)
+        run_textures(plan, b, first, n, general);
     if (plan->lighting)
         return run_lighting(plan, b, first, n, count, general, trace);
     if (trace)

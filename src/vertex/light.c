@@ -42,7 +42,7 @@ static bool in_object_space(const struct server_state *s, unsigned modelview_cla
 
     if (state->light_model_local_viewer || state->light_model_color_control == GL_SEPARATE_SPECULAR_COLOR)
         return false;
-    if (attenuation[0] != 1.0f || attenuation[1] != 0.0f || attenuation[2] != 0.0f)
+    if (attenuation[0] != 1.0f || attenuation[1] != 0.0f || attenuation[2] != 0.0f || fgl_texgen_in_eye_space(s))
         return false;
     for (int i = 0; i < FGL_MAX_LIGHTS; i++)
         if (state->light[i].enabled && (state->light[i].position[3] != 0.0f || is_spot(&state->light[i])))
@@ -260,6 +260,15 @@ static void take_intensities(struct lighting_state *to, const struct lighting_st
             to->light[i].specular[c] = 0.30f * s[0] + 0.59f * s[1] + 0.11f * s[2];
         }
     }
+}
+
+void fgl_normals_validate(struct vertex_plan *plan, struct context *ctx)
+{
+    struct matrix *modelview = &ctx->modelview.entry[ctx->modelview.top];
+    const unsigned modelview_class = fgl_matrix_class(modelview);
+
+    plan->light.object_space = false;
+    derive_normals(plan, &ctx->s.transform, fgl_matrix_inverse(modelview), modelview_class);
 }
 
 void fgl_light_validate(struct vertex_plan *plan, struct context *ctx)

@@ -100,8 +100,12 @@ void fgl_vertex_validate(struct vertex_plan *plan, struct context *ctx, uint32_t
     plan->color_index = ctx->color_index;
     plan->index_is_varying = plan->color_index && !plan->lighting && (varying >> ATTR_INDEX & 1);
     plan->color_is_varying = !plan->color_index && !plan->lighting && (varying >> ATTR_COLOR & 1);
+    if (dirty & (DIRTY_TEXTURE | DIRTY_TEXTURE_MATRIX | DIRTY_VARYING))
+        fgl_texture_plan_validate(plan, ctx, varying);
+    if (!plan->lighting && plan->texgen_normal)
+        fgl_normals_validate(plan, ctx);
     if (plan->lighting && dirty & (DIRTY_MODELVIEW | DIRTY_LIGHT | DIRTY_MATERIAL | DIRTY_CURRENT |
-                                   DIRTY_NORMALIZE | DIRTY_RASTER | DIRTY_VARYING))
+                                   DIRTY_NORMALIZE | DIRTY_RASTER | DIRTY_VARYING | DIRTY_TEXTURE))
         validate_lighting(plan, ctx);
 }
 

@@ -69,6 +69,20 @@ struct exact_light {
     double color[COLOR_COUNT][3], product[2][COLOR_COUNT][3];
 };
 
+/* The coordinates of one texture that differ by vertex (GL 1.5, 2.11.4). The numbers are in float or double by mode. */
+struct vertex_texture {
+    int unit;
+    bool computed;     /* else they are given, and the batch's `in` is what is handed over */
+    GLenum gen[4];     /* how each coordinate is generated; GL_NONE: given */
+    bool transformed;  /* by the texture matrix */
+    struct texture_numbers {
+        float plane[4][4], matrix[16];
+    } numbers;
+};
+struct exact_texture {
+    double plane[4][4], matrix[16];
+};
+
 /* What the kernels of FIXEDGL_EXACT read in place of the floats: made of the state's doubles. In FIXEDGL_COMPATIBLE,
  * where they light the vertices that float cannot, it is made of the state's floats. */
 struct exact_plan {
@@ -80,6 +94,7 @@ struct exact_plan {
     bool needed; /* FIXEDGL_COMPATIBLE: no vertex can be lit in float */
     double base[2][3];
     struct exact_light light[FGL_MAX_LIGHTS]; /* as lighting_plan.light */
+    struct exact_texture texture[FGL_MAX_TEXTURE_UNITS]; /* as vertex_plan.texture */
 };
 
 struct vertex_plan {
@@ -104,6 +119,10 @@ struct vertex_plan {
 
     bool color_index;      /* colour index mode: color[face].c[0] are indexes */
     bool index_is_varying; /* the same as below, for indexes */
+    int textures; /* whose coordinates differ by vertex, in the order of their units */
+    struct vertex_texture texture[FGL_MAX_TEXTURE_UNITS];
+    bool texgen_eye, texgen_normal; /* some texture reads eye positions, eye space normals */
+
     bool color_is_varying; /* without lighting: colours come from the batch, else constant (not computed) */
     uint32_t varying;      /* the attributes that differ by vertex */
     float constant[ATTR_MATERIAL][4]; /* current values of the others */
@@ -117,6 +136,13 @@ void fgl_vertex_validate(struct vertex_plan *plan, struct context *ctx, uint32_t
 
 /* light.c: the part of validation that concerns lighting. */
 void fgl_light_validate(struct vertex_plan *plan, struct context *ctx);
+
+/* light.c: the normals' part alone, for textures of unlit vertices. */
+void fgl_normals_validate(struct vertex_plan *plan, struct context *ctx);
+
+/* texture_plan.c: the part that concerns texture coordinates; and whether any is generated in eye space. */
+void fgl_texture_plan_validate(struct vertex_plan *plan, struct context *ctx, uint32_t varying);
+bool fgl_texgen_in_eye_space(const struct server_state *s);
 
 /* exact_plan.c: the same numbers in double, after fgl_light_validate. */
 void fgl_exact_light_validate(struct vertex_plan *plan, struct context *ctx);

@@ -37,6 +37,7 @@ struct vertex_work {
     real material[COLOR_COUNT][3]
                  [VERTEX_CHUNK]; /* of the face being lit, when the material differs by vertex */
     real shininess[VERTEX_CHUNK];
+    real texture[4][VERTEX_CHUNK];  /* coordinates being generated and transformed */
     real least[VERTEX_CHUNK];       /* distances whose squares are below it are lost in the rounding of eye */
     uint32_t extreme[VERTEX_CHUNK]; /* not 0: the vertex left the range where float is safe. Not if R_EXACT */
 };

@@ -1,0 +1,69 @@
+/* What the fragment stage must know of textures (GL 1.5, 3.8): for each unit that is enabled and complete a sampler, derived from its
+ * texture object, and an environment. Made by validation; the kernels read nothing else. Layer 3. */
+#ifndef FGL_FRAGMENT_TEXTURE_H
+#define FGL_FRAGMENT_TEXTURE_H
+
+#include "texture/texture.h"
+
+enum texture_filter { FILTER_NEAREST, FILTER_LINEAR };
+enum mip_filter { MIP_NONE, MIP_NEAREST, MIP_LINEAR };
+
+struct texture_level {
+    int size[3]; /* width, height, depth; 1 where the target has fewer dimensions */
+    const void *texels[TEXTURE_MAX_FACES];
+};
+
+struct sampler {
+    enum texture_target target;
+    enum texel_kind kind;
+    int dimensions;    /* of an image: 1 to 3 */
+    GLenum wrap[3];
+    bool fixed_point;  /* OSMesa rule: texels of 8 bits whose wrap modes need no border are filtered in integers */
+    enum texture_filter min, mag;
+    enum mip_filter mip;
+    bool needs_lod;    /* the level, or min in place of mag, is chosen by the scale factor rho */
+    bool adjusts_lod;  /* it is biased or clamped before it is used */
+    float lod_bias, min_lod, max_lod;
+    float magnify_below; /* level of detail up to which mag is used (GL 1.5, 3.8.8: c) */
+    GLenum compare_func; /* depth textures; 0: not compared */
+    GLenum depth_mode;
+    float border[4];   /* as a texel */
+    int last_level;    /* level[0] is the base level */
+    struct texture_level level[FGL_MAX_TEXTURE_LEVELS];
+};
+
+/* A function of GL_COMBINE, for RGB or for alpha; the other environment modes are derived from it. */
+struct combine {
+    GLenum function, source[3], operand[3];
+    float scale;
+};
+
+struct texture_environment {
+    struct combine rgb, alpha;
+    bool clamped; /* GL 1.5, 3.8.13: where the result may leave [0,1] */
+    float color[4];
+};
+
+/* Where a unit's coordinates come from. */
+enum coordinate_source {
+    COORDINATES_CONSTANT, /* the current ones: the same for the draw */
+    COORDINATES_PLANES    /* interpolated: lanes of the planes */
+};
+
+struct texture_stage {
+    int unit;
+    enum coordinate_source source;
+    float constant[4]; /* s t r q */
+    int lane;          /* of s; t r q follow */
+    struct sampler sampler;
+    struct texture_environment environment;
+};
+
+struct server_state;
+
+/* The stages of the units that are enabled and have a complete texture, in order; returns how many. Of the units in `varying` (bit: unit) the
+ * coordinates are interpolated, from this lane on, packed; the others' are constant. */
+int fgl_texture_stages(struct texture_stage stage[FGL_MAX_TEXTURE_UNITS], const struct server_state *s,
+                       uint32_t varying, int lane);
+
+#endif

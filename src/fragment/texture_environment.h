@@ -1,0 +1,112 @@
+/* Texture environments and texture functions (GL 1.5, 3.8.13), and the units one after the other (3.8.15 "Texture Application").
+ * Kernels only. */
+#ifndef FGL_FRAGMENT_TEXTURE_ENVIRONMENT_H
+#define FGL_FRAGMENT_TEXTURE_ENVIRONMENT_H
+
+#include "fragment/texture_sample.h"
+
+/* What combiners may read, a group of each. */
+struct combine_inputs {
+    real texel[FGL_MAX_TEXTURE_UNITS][4][FRAGMENT_GROUP]; /* by stage */
+    real primary[4][FRAGMENT_GROUP];
+    int stage_of_unit[FGL_MAX_TEXTURE_UNITS]; /* -1: the unit draws no texture */
+};
+
+/* Component c of a source before its operand, or NULL: black. */
+static inline const real *source_component(const struct combine_inputs *in, const struct texture_environment *e, int stage,
+                                           GLenum source, const struct fragments *f, int c, real constant[FRAGMENT_GROUP])
+{
+    switch (source) {
+    case GL_TEXTURE: return in->texel[stage][c];
+    case GL_PRIMARY_COLOR: return in->primary[c];
+    case GL_PREVIOUS: return f->color[c];
+    case GL_CONSTANT: FOR_GROUP(i) constant[i] = (real)e->color[c]; return constant;
+    default: { /* GL_TEXTUREi: crossbar */
+        const int other = in->stage_of_unit[source - GL_TEXTURE0];
+        FOR_GROUP(i) constant[i] = 0;
+        return other >= 0 ? in->texel[other][c] : constant;
+    }
+    }
+}
+
+/* Argument k of a combiner for component c (GL 1.5, tables 3.25 and 3.26). */
+static inline void argument(const struct combine_inputs *in, const struct texture_environment *e, int stage,
+                            const struct combine *combine, int k, const struct fragments *f, int c, real to[FRAGMENT_GROUP])
+{
+    const GLenum operand = combine->operand[k];
+    const bool alpha = operand == GL_SRC_ALPHA || operand == GL_ONE_MINUS_SRC_ALPHA;
+    real constant[FRAGMENT_GROUP];
+    const real *from = source_component(in, e, stage, combine->source[k], f, alpha ? 3 : c, constant);
+    if (operand == GL_ONE_MINUS_SRC_COLOR || operand == GL_ONE_MINUS_SRC_ALPHA)
+        FOR_GROUP(i) to[i] = 1 - from[i];
+    else
+        FOR_GROUP(i) to[i] = from[i];
+}
+
+/* 4 (a - 1/2) . (b - 1/2) */
+static inline void dot3(const struct combine_inputs *in, const struct texture_environment *e, int stage,
+                        const struct combine *combine, const struct fragments *f, real to[FRAGMENT_GROUP])
+{
+    real product[3][FRAGMENT_GROUP];
+    for (int c = 0; c < 3; c++) {
+        real a[FRAGMENT_GROUP], b[FRAGMENT_GROUP];
+        argument(in, e, stage, combine, 0, f, c, a);
+        argument(in, e, stage, combine, 1, f, c, b);
+        FOR_GROUP(i) product[c][i] = (a[i] * 2 - 1) * (b[i] * 2 - 1);
+    }
+    FOR_GROUP(i) to[i] = (product[2][i] + product[1][i]) + product[0][i];
+}
+
+/* GL 1.5, table 3.24. */
+static inline void combine_component(const struct combine_inputs *in, const struct texture_environment *e, int stage,
+                                     const struct combine *combine, const struct fragments *f, int c, real to[FRAGMENT_GROUP])
+{
+    real a[3][FRAGMENT_GROUP];
+    if (combine->function == GL_DOT3_RGB || combine->function == GL_DOT3_RGBA) {
+        dot3(in, e, stage, combine, f, to);
+        return;
+    }
+    const int arguments = combine->function == GL_REPLACE ? 1 : combine->function == GL_INTERPOLATE ? 3 : 2;
+    for (int k = 0; k < arguments; k++)
+        argument(in, e, stage, combine, k, f, c, a[k]);
+    switch (combine->function) {
+    case GL_REPLACE: FOR_GROUP(i) to[i] = a[0][i]; break;
+    case GL_MODULATE: FOR_GROUP(i) to[i] = a[0][i] * a[1][i]; break;
+    case GL_ADD: FOR_GROUP(i) to[i] = r_min(a[0][i] + a[1][i], 1); break;
+    case GL_ADD_SIGNED: FOR_GROUP(i) to[i] = a[0][i] + a[1][i] - (real)0.5; break;
+    case GL_SUBTRACT: FOR_GROUP(i) to[i] = a[0][i] - a[1][i]; break;
+    default: FOR_GROUP(i) to[i] = a[0][i] * a[2][i] + a[1][i] * (1 - a[2][i]); break; /* GL_INTERPOLATE */
+    }
+}
+
+static inline void apply_environment(const struct combine_inputs *in, const struct texture_stage *s, int stage, struct fragments *f)
+{
+    const struct texture_environment *e = &s->environment;
+    real to[4][FRAGMENT_GROUP];
+    for (int c = 0; c < 4; c++) {
+        const struct combine *combine = c == 3 && e->rgb.function != GL_DOT3_RGBA ? &e->alpha : &e->rgb;
+        combine_component(in, e, stage, combine, f, c, to[c]);
+        const real scale = (real)combine->scale;
+        if (scale != 1)
+            FOR_GROUP(i) to[c][i] *= scale;
+        if (e->clamped)
+            FOR_GROUP(i) to[c][i] = r_min(r_max(to[c][i], 0), 1);
+    }
+    memcpy(f->color, to, sizeof to);
+}
+
+static inline void apply_textures(struct fragments *f, const struct fragment_plan *plan, const struct planes *p)
+{
+    struct combine_inputs in;
+    memcpy(in.primary, f->color, sizeof in.primary);
+    for (int unit = 0; unit < FGL_MAX_TEXTURE_UNITS; unit++)
+        in.stage_of_unit[unit] = -1;
+    for (int stage = 0; stage < plan->textures; stage++) {
+        sample_texture(f, p, &plan->texture[stage], in.texel[stage]);
+        in.stage_of_unit[plan->texture[stage].unit] = stage;
+    }
+    for (int stage = 0; stage < plan->textures; stage++)
+        apply_environment(&in, &plan->texture[stage], stage, f);
+}
+
+#endif

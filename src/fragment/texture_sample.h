@@ -1,0 +1,142 @@
+/* Texels of a group of fragments: coordinates, level, filter (GL 1.5, 3.8.6 to 3.8.14). Kernels only. */
+#ifndef FGL_FRAGMENT_TEXTURE_SAMPLE_H
+#define FGL_FRAGMENT_TEXTURE_SAMPLE_H
+
+#include "fragment/texture_lod.h"
+
+/* GL 1.5, table 3.19: the face of a direction and the coordinates on it. s is projected already. OSMesa rule: where components are equal z
+ * goes before y, y before x. */
+static inline void choose_faces(struct texture_coords *at)
+{
+    const real half = (real)0.5;
+    FOR_GROUP(i) {
+        const real x = at->s[0][i], y = at->s[1][i], z = at->s[2][i];
+        const real ax = r_abs(x), ay = r_abs(y), az = r_abs(z);
+        const int axis = az >= r_max(ax, ay) ? 2 : ax > ay ? 0 : 1;
+        const real major = axis == 2 ? z : axis == 0 ? x : y;
+        const bool negative = major < 0;
+        const real s = axis == 2 ? (negative ? -x : x) : axis == 0 ? (negative ? z : -z) : x;
+        const real t = axis == 1 ? (negative ? -z : z) : -y;
+        at->face[i] = 2 * axis + negative;
+        at->s[0][i] = s + half;
+        at->s[1][i] = t + half;
+    }
+}
+
+/* The levels that live fragments use: from *first to *last. False: none. */
+static FGL_ALWAYS_INLINE bool level_range(const struct level_choice *choice, const int32_t *live, int *first, int *last)
+{
+    int lo = FGL_MAX_TEXTURE_LEVELS, hi = -1;
+    FOR_GROUP(i) {
+        const bool used = live[i] && !choice->magnify[i];
+        lo = used ? fgl_min(lo, choice->level[i]) : lo;
+        hi = used ? fgl_max(hi, choice->level[i] + (choice->f[i] > 0)) : hi;
+    }
+    *first = lo;
+    *last = hi;
+    return lo <= hi;
+}
+
+static FGL_ALWAYS_INLINE bool any_magnified(const struct level_choice *choice, const int32_t *live)
+{
+    int32_t any = 0;
+    FOR_GROUP(i) any |= live[i] & choice->magnify[i];
+    return any != 0;
+}
+
+/* Fixed point: OSMesa rule: levels are mixed in steps of 1/256, rounded down. */
+static FGL_ALWAYS_INLINE void sample_packed(const struct sampler *sampler, const struct texture_coords *at,
+                                            const struct level_choice *choice, const int32_t *live, const int dimensions,
+                                            const bool cube, const GLenum wrap[3], uint32_t texel[FRAGMENT_GROUP])
+{
+    if (!sampler->needs_lod) {
+        filter_packed(sampler, &sampler->level[0], at, dimensions, cube, sampler->mag, wrap, texel);
+        return;
+    }
+    int first, last;
+    FOR_GROUP(i) texel[i] = 0;
+    if (any_magnified(choice, live))
+        filter_packed(sampler, &sampler->level[0], at, dimensions, cube, sampler->mag, wrap, texel);
+    if (!level_range(choice, live, &first, &last))
+        return;
+    for (int level = first; level <= last; level++) {
+        uint32_t next[FRAGMENT_GROUP];
+        filter_packed(sampler, &sampler->level[level], at, dimensions, cube, sampler->min, wrap, next);
+        FOR_GROUP(i) {
+            const bool min = !choice->magnify[i], upper = choice->level[i] + 1 == level;
+            const uint32_t weight = (uint32_t)(int32_t)(choice->f[i] * 256);
+            texel[i] = min && choice->level[i] == level ? next[i]
+                       : min && upper && weight         ? lerp_packed(weight, texel[i], next[i])
+                                                        : texel[i];
+        }
+    }
+}
+
+static inline void sample_real(const struct sampler *sampler, const struct texture_coords *at, const struct level_choice *choice,
+                               const int32_t *live, real texel[4][FRAGMENT_GROUP])
+{
+    if (!sampler->needs_lod) {
+        filter_real(sampler, &sampler->level[0], at, sampler->mag, texel);
+        return;
+    }
+    int first, last;
+    memset(texel, 0, 4 * sizeof texel[0]);
+    if (any_magnified(choice, live))
+        filter_real(sampler, &sampler->level[0], at, sampler->mag, texel);
+    if (!level_range(choice, live, &first, &last))
+        return;
+    for (int level = first; level <= last; level++) {
+        real next[4][FRAGMENT_GROUP];
+        filter_real(sampler, &sampler->level[level], at, sampler->min, next);
+        for (int c = 0; c < 4; c++)
+            FOR_GROUP(i) {
+                const bool min = !choice->magnify[i];
+                texel[c][i] = min && choice->level[i] == level                              ? next[c][i]
+                              : min && choice->level[i] + 1 == level && choice->f[i] > 0 ? lerp_real(choice->f[i], texel[c][i], next[c][i])
+                                                                                         : texel[c][i];
+            }
+    }
+}
+
+/* GL 1.5, 3.8.14: a depth texture's value as luminance, intensity or alpha. */
+static inline void apply_depth_mode(GLenum mode, real texel[4][FRAGMENT_GROUP])
+{
+    for (int c = 1; c < 4; c++)
+        memcpy(texel[c], texel[0], sizeof texel[0]);
+    if (mode == GL_LUMINANCE)
+        FOR_GROUP(i) texel[3][i] = 1;
+    if (mode == GL_ALPHA)
+        for (int c = 0; c < 3; c++)
+            FOR_GROUP(i) texel[c][i] = 0;
+}
+
+/* The texels of a unit for every live fragment. */
+static inline void sample_texture(const struct fragments *fragments, const struct planes *p, const struct texture_stage *stage,
+                                  real texel[4][FRAGMENT_GROUP])
+{
+    const struct sampler *sampler = &stage->sampler;
+    const bool cube = sampler->target == TEXTURE_CUBE_MAP;
+    const int count = cube ? 3 : sampler->dimensions;
+    struct texture_coords at;
+    struct level_choice choice;
+    coordinates_at(stage, p, fragments->fx, fragments->fy, fragments->w, sampler->compare_func ? 3 : count, at.s);
+    if (sampler->compare_func)
+        FOR_GROUP(i) at.compare[i] = r_min(r_max(at.s[2][i], 0), 1);
+    if (cube)
+        project_to_cube(at.s);
+    if (sampler->needs_lod)
+        choose_levels(fragments, p, stage, count, at.s, &choice);
+    if (cube)
+        choose_faces(&at);
+    if (sampler->fixed_point && !R_EXACT) {
+        uint32_t packed[FRAGMENT_GROUP];
+        sample_packed(sampler, &at, &choice, fragments->live, sampler->dimensions, cube, sampler->wrap, packed);
+        unpack_texels(packed, texel);
+    } else {
+        sample_real(sampler, &at, &choice, fragments->live, texel);
+    }
+    if (sampler->kind == TEXELS_DEPTH)
+        apply_depth_mode(sampler->depth_mode, texel);
+}
+
+#endif

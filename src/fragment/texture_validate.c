@@ -1,0 +1,226 @@
+/* From texture state to the stages that fragments go through (GL 1.5, 3.8). */
+#include "fragment/fragment.h"
+#include "texture/format.h"
+
+#include <math.h>
+
+/* ---- samplers ---- */
+
+static enum texture_filter image_filter(GLenum filter)
+{
+    return filter == GL_LINEAR || filter == GL_LINEAR_MIPMAP_NEAREST || filter == GL_LINEAR_MIPMAP_LINEAR
+                   ? FILTER_LINEAR
+                   : FILTER_NEAREST;
+}
+
+static enum mip_filter mip_filter(GLenum filter)
+{
+    switch (filter) {
+    case GL_NEAREST_MIPMAP_NEAREST:
+    case GL_LINEAR_MIPMAP_NEAREST: return MIP_NEAREST;
+    case GL_NEAREST_MIPMAP_LINEAR:
+    case GL_LINEAR_MIPMAP_LINEAR: return MIP_LINEAR;
+    default: return MIP_NONE;
+    }
+}
+
+static bool needs_border(GLenum wrap)
+{
+    return wrap != GL_REPEAT && wrap != GL_CLAMP_TO_EDGE;
+}
+
+/* OSMesa rules: cube maps are clamped to their edges; GL_CLAMP never reaches the border with nearest filters. */
+static GLenum wrap_mode(const struct sampler *sampler, GLenum wrap)
+{
+    const bool nearest = sampler->min == FILTER_NEAREST && sampler->mag == FILTER_NEAREST;
+    return sampler->target == TEXTURE_CUBE_MAP || (nearest && wrap == GL_CLAMP) ? GL_CLAMP_TO_EDGE : wrap;
+}
+
+static void derive_filters(struct sampler *to, const struct texture_parameters *p)
+{
+    static const int dimensions[TEXTURE_TARGETS] = {1, 2, 3, 2};
+    to->min = image_filter(p->min_filter);
+    to->mag = image_filter(p->mag_filter);
+    to->mip = mip_filter(p->min_filter);
+    to->dimensions = dimensions[to->target];
+    to->fixed_point = to->kind == TEXELS_UNORM8;
+    for (int i = 0; i < 3; i++) {
+        to->wrap[i] = wrap_mode(to, p->wrap[i]);
+        to->fixed_point &= i >= to->dimensions || !needs_border(to->wrap[i]);
+    }
+    to->compare_func = to->kind == TEXELS_DEPTH && p->compare_mode == GL_COMPARE_R_TO_TEXTURE ? p->compare_func : 0;
+    to->depth_mode = p->depth_mode;
+}
+
+/* OSMesa rules: the bias is a multiple of 1/256; limits that say nothing are left out; limits in the wrong order are exchanged. */
+static void derive_lod(struct sampler *to, const struct texture_parameters *p, float unit_bias)
+{
+    const float min_lod = fmaxf(p->min_lod, 0.0f), max_lod = p->max_lod;
+    to->needs_lod = to->mip != MIP_NONE || to->min != to->mag;
+    to->lod_bias = roundf(fmaxf(-16.0f, fminf(16.0f, p->lod_bias + unit_bias)) * 256.0f) / 256.0f;
+    to->min_lod = fminf(min_lod, max_lod);
+    to->max_lod = fmaxf(min_lod, max_lod);
+    to->adjusts_lod = to->lod_bias != 0.0f || to->min_lod > 0.0f || to->max_lod < FGL_MAX_TEXTURE_LEVELS;
+    to->magnify_below = to->mag == FILTER_LINEAR && to->min == FILTER_NEAREST && to->mip != MIP_NONE ? 0.5f : 0.0f;
+}
+
+/* GL 1.5, table 3.20: what a border texel has, as if it came from an image of the format. */
+static void derive_border(struct sampler *to, const float c[4], GLenum base_format)
+{
+    const bool luminance = base_format == GL_LUMINANCE || base_format == GL_LUMINANCE_ALPHA ||
+                           base_format == GL_INTENSITY || base_format == GL_DEPTH_COMPONENT;
+    for (int i = 0; i < 4; i++) {
+        const float value = fgl_clamp01(c[i]);
+        to->border[i] = i < 3 && base_format == GL_ALPHA ? 0.0f : i < 3 && luminance ? fgl_clamp01(c[0]) : value;
+    }
+    if (base_format == GL_LUMINANCE || base_format == GL_RGB)
+        to->border[3] = 1.0f;
+    if (base_format == GL_INTENSITY)
+        to->border[3] = fgl_clamp01(c[0]);
+}
+
+static void derive_levels(struct sampler *to, const struct texture_object *object)
+{
+    const int base = object->parameters.base_level;
+    to->last_level = to->mip == MIP_NONE ? 0 : fgl_texture_last_level(object) - base;
+    for (int i = 0; i <= to->last_level; i++) {
+        const struct texture_image *image = &object->image[0][base + i];
+        to->level[i].size[0] = image->width;
+        to->level[i].size[1] = image->height;
+        to->level[i].size[2] = image->depth;
+        for (int face = 0; face < fgl_texture_faces(object->target); face++)
+            to->level[i].texels[face] = object->image[face][base + i].texels;
+    }
+}
+
+static void derive_sampler(struct sampler *to, const struct texture_object *object, float unit_bias)
+{
+    const struct texture_image *image = &object->image[0][object->parameters.base_level];
+    to->target = object->target;
+    to->kind = image->kind;
+    derive_filters(to, &object->parameters);
+    derive_lod(to, &object->parameters, unit_bias);
+    derive_border(to, object->parameters.border_color, image->format->base_format);
+    derive_levels(to, object);
+}
+
+/* ---- environments ---- */
+
+static void set_combine(struct combine *to, GLenum function, GLenum source0, GLenum source1, GLenum operand)
+{
+    *to = (struct combine){
+            .function = function, .source = {source0, source1, GL_CONSTANT}, .operand = {operand, operand, operand}, .scale = 1.0f};
+}
+
+/* What the base format leaves of a texture (GL 1.5, tables 3.22 and 3.23): a format without RGB, or without alpha, keeps the fragment's. */
+static bool has_rgb(GLenum base)
+{
+    return base != GL_ALPHA;
+}
+static bool has_alpha(GLenum base)
+{
+    return base != GL_LUMINANCE && base != GL_RGB && base != GL_DEPTH_COMPONENT;
+}
+
+static void derive_decal(struct texture_environment *to, GLenum base)
+{
+    set_combine(&to->alpha, GL_REPLACE, GL_PREVIOUS, GL_PREVIOUS, GL_SRC_ALPHA);
+    if (base == GL_RGB) {
+        set_combine(&to->rgb, GL_REPLACE, GL_TEXTURE, GL_PREVIOUS, GL_SRC_COLOR);
+    } else if (base == GL_RGBA) {
+        set_combine(&to->rgb, GL_INTERPOLATE, GL_TEXTURE, GL_PREVIOUS, GL_SRC_COLOR);
+        to->rgb.source[2] = GL_TEXTURE;
+        to->rgb.operand[2] = GL_SRC_ALPHA;
+    } else { /* undefined; OSMesa keeps the fragment */
+        set_combine(&to->rgb, GL_REPLACE, GL_PREVIOUS, GL_PREVIOUS, GL_SRC_COLOR);
+    }
+}
+
+static void derive_blend(struct texture_environment *to, GLenum base)
+{
+    set_combine(&to->rgb, GL_INTERPOLATE, GL_CONSTANT, GL_PREVIOUS, GL_SRC_COLOR);
+    to->rgb.source[2] = GL_TEXTURE;
+    set_combine(&to->alpha, GL_MODULATE, GL_PREVIOUS, GL_TEXTURE, GL_SRC_ALPHA);
+    if (base == GL_INTENSITY) {
+        set_combine(&to->alpha, GL_INTERPOLATE, GL_CONSTANT, GL_PREVIOUS, GL_SRC_ALPHA);
+        to->alpha.source[2] = GL_TEXTURE;
+    }
+}
+
+/* GL 1.5, tables 3.22 and 3.23: the five simple modes. */
+static void derive_simple(struct texture_environment *to, GLenum mode, GLenum base)
+{
+    switch (mode) {
+    case GL_DECAL: derive_decal(to, base); return;
+    case GL_BLEND: derive_blend(to, base); break;
+    case GL_REPLACE:
+        set_combine(&to->rgb, GL_REPLACE, GL_TEXTURE, GL_PREVIOUS, GL_SRC_COLOR);
+        set_combine(&to->alpha, GL_REPLACE, GL_TEXTURE, GL_PREVIOUS, GL_SRC_ALPHA);
+        break;
+    case GL_ADD:
+        set_combine(&to->rgb, GL_ADD, GL_PREVIOUS, GL_TEXTURE, GL_SRC_COLOR);
+        set_combine(&to->alpha, base == GL_INTENSITY ? GL_ADD : GL_MODULATE, GL_PREVIOUS, GL_TEXTURE, GL_SRC_ALPHA);
+        break;
+    default:
+        set_combine(&to->rgb, GL_MODULATE, GL_PREVIOUS, GL_TEXTURE, GL_SRC_COLOR);
+        set_combine(&to->alpha, GL_MODULATE, GL_PREVIOUS, GL_TEXTURE, GL_SRC_ALPHA);
+        break;
+    }
+    if (!has_rgb(base))
+        set_combine(&to->rgb, GL_REPLACE, GL_PREVIOUS, GL_PREVIOUS, GL_SRC_COLOR);
+    if (!has_alpha(base))
+        set_combine(&to->alpha, GL_REPLACE, GL_PREVIOUS, GL_PREVIOUS, GL_SRC_ALPHA);
+}
+
+static void derive_combine(struct texture_environment *to, const struct texture_env *e)
+{
+    to->rgb = (struct combine){.function = e->combine_rgb, .scale = e->rgb_scale};
+    to->alpha = (struct combine){.function = e->combine_alpha, .scale = e->alpha_scale};
+    for (int i = 0; i < 3; i++) {
+        to->rgb.source[i] = e->source_rgb[i];
+        to->rgb.operand[i] = e->operand_rgb[i];
+        to->alpha.source[i] = e->source_alpha[i];
+        to->alpha.operand[i] = e->operand_alpha[i];
+    }
+}
+
+static GLenum environment_format(const struct sampler *sampler, GLenum base)
+{
+    return base == GL_DEPTH_COMPONENT ? sampler->depth_mode : base;
+}
+
+static void derive_environment(struct texture_environment *to, const struct texture_env *e, GLenum base)
+{
+    if (e->mode == GL_COMBINE)
+        derive_combine(to, e);
+    else
+        derive_simple(to, e->mode, base);
+    for (int i = 0; i < 4; i++)
+        to->color[i] = fgl_clamp01(e->color[i]);
+}
+
+/* ---- stages ---- */
+
+int fgl_texture_stages(struct texture_stage stage[FGL_MAX_TEXTURE_UNITS], const struct server_state *s, uint32_t varying,
+                       int lane)
+{
+    int n = 0;
+    for (int unit = 0; unit < FGL_MAX_TEXTURE_UNITS; unit++) {
+        const struct texture_unit *u = &s->texture.unit[unit];
+        const struct texture_object *object = u->enabled ? fgl_texture_current(u) : NULL;
+        if (!object)
+            continue;
+        struct texture_stage *to = &stage[n++];
+        to->unit = unit;
+        to->source = varying >> unit & 1 ? COORDINATES_PLANES : COORDINATES_CONSTANT;
+        to->lane = lane;
+        if (to->source == COORDINATES_PLANES)
+            lane += 4;
+        for (int c = 0; c < 4; c++)
+            to->constant[c] = s->current.attr[ATTR_TEX0 + unit][c];
+        derive_sampler(&to->sampler, object, u->env.lod_bias);
+        const GLenum base = object->image[0][object->parameters.base_level].format->base_format;
+        derive_environment(&to->environment, &u->env, environment_format(&to->sampler, base));
+    }
+    return n;
+}
