@@ -9,6 +9,9 @@
 int fgl_count_light(GLenum pname);
 int fgl_count_light_model(GLenum pname);
 int fgl_count_fog(GLenum pname);
+int fgl_count_texture(GLenum pname);
+int fgl_count_texture_env(GLenum pname);
+int fgl_count_texgen(GLenum pname);
 int fgl_count_pixel_map(GLsizei mapsize);
 
 #define CMD_LIST(name, ...) void fgl_exec_##name(struct context *ctx, FGL_LIST(FGL_PARAM, __VA_ARGS__));
@@ -33,6 +36,8 @@ enum fgl_opcode {
     OP_RECT,
     OP_BITMAP,
     OP_DRAW_PIXELS,
+    OP_TEXTURE_IMAGE,
+    OP_PRIORITIZE_TEXTURE,
     OP_MAP,  /* glMap */
     OP_EVAL, /* glEvalCoord, glEvalPoint */
     OP_ERROR, /* an error that the command would raise when executed */

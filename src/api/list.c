@@ -6,6 +6,7 @@
 #include "api/material.h"
 #include "api/pixel_image.h"
 #include "api/pixel_store.h"
+#include "api/texture_image.h"
 #include "base/idmap.h"
 
 #include <stdatomic.h>
@@ -265,6 +266,8 @@ static void execute_node(struct context *ctx, struct node *node)
     }
     case OP_BITMAP: fgl_list_replay_bitmap(ctx, payload); break;
     case OP_DRAW_PIXELS: fgl_list_replay_draw_pixels(ctx, payload); break;
+    case OP_TEXTURE_IMAGE: fgl_list_replay_texture_image(ctx, payload); break;
+    case OP_PRIORITIZE_TEXTURE: fgl_list_replay_prioritize(ctx, payload); break;
     case OP_POLYGON_STIPPLE: fgl_polygon_stipple_set(ctx, payload); break;
     case OP_MAP: fgl_map_replay(ctx, payload); break;
     case OP_EVAL: fgl_eval_replay(ctx, payload); break;

@@ -6,6 +6,7 @@
 #include "api/set.h"
 
 #include <math.h>
+#include <string.h>
 
 #define ANY -INFINITY, INFINITY
 #define BETWEEN(lo, hi) (float)(lo), (float)(hi)
@@ -19,6 +20,8 @@ static const struct param light_params[] = {
 #define LIGHT_MODEL NO_ROW
 #define MATERIAL NO_ROW
 #define FOG NO_ROW
+#define TEXTURE NO_ROW
+#define TEXTURE_ENV NO_ROW
 #include "api/param_table.def"
 };
 
@@ -28,6 +31,8 @@ static const struct param light_model_params[] = {
     {pname, PARAM_##kind, count, range, offsetof(struct lighting_state, field)},
 #define MATERIAL NO_ROW
 #define FOG NO_ROW
+#define TEXTURE NO_ROW
+#define TEXTURE_ENV NO_ROW
 #include "api/param_table.def"
 };
 
@@ -36,6 +41,8 @@ static const struct param material_params[] = {
 #define LIGHT_MODEL NO_ROW
 #define MATERIAL(pname, count, kind, range) {pname, PARAM_##kind, count, range, 0},
 #define FOG NO_ROW
+#define TEXTURE NO_ROW
+#define TEXTURE_ENV NO_ROW
 #include "api/param_table.def"
 };
 
@@ -45,6 +52,30 @@ static const struct param fog_params[] = {
 #define MATERIAL NO_ROW
 #define FOG(pname, count, kind, range, field)                                                                \
     {pname, PARAM_##kind, count, range, offsetof(struct fog_state, field)},
+#define TEXTURE NO_ROW
+#define TEXTURE_ENV NO_ROW
+#include "api/param_table.def"
+};
+
+static const struct param texture_params[] = {
+#define LIGHT NO_ROW
+#define LIGHT_MODEL NO_ROW
+#define MATERIAL NO_ROW
+#define FOG NO_ROW
+#define TEXTURE(pname, count, kind, range, field)                                                            \
+    {pname, PARAM_##kind, count, range, offsetof(struct texture_parameters, field)},
+#define TEXTURE_ENV NO_ROW
+#include "api/param_table.def"
+};
+
+static const struct param texture_env_params[] = {
+#define LIGHT NO_ROW
+#define LIGHT_MODEL NO_ROW
+#define MATERIAL NO_ROW
+#define FOG NO_ROW
+#define TEXTURE NO_ROW
+#define TEXTURE_ENV(pname, count, kind, range, field)                                                        \
+    {pname, PARAM_##kind, count, range, offsetof(struct texture_env, field)},
 #include "api/param_table.def"
 };
 
@@ -76,6 +107,15 @@ const struct param *fgl_fog_param(GLenum pname)
     return FIND(fog_params, pname);
 }
 
+const struct param *fgl_texture_param(GLenum pname)
+{
+    return FIND(texture_params, pname);
+}
+const struct param *fgl_texture_env_param(GLenum pname)
+{
+    return FIND(texture_env_params, pname);
+}
+
 static int count_of(const struct param *p)
 {
     return p ? p->count : 0;
@@ -94,6 +134,15 @@ int fgl_count_fog(GLenum pname)
     return count_of(fgl_fog_param(pname));
 }
 
+int fgl_count_texture(GLenum pname)
+{
+    return count_of(fgl_texture_param(pname));
+}
+int fgl_count_texture_env(GLenum pname)
+{
+    return count_of(fgl_texture_env_param(pname));
+}
+
 bool fgl_param_allows(const struct param *p, const float *v)
 {
     return !(v[0] < p->min) && !(v[0] > p->max); /* OSMesa rule: NaN is let through */
@@ -107,7 +156,21 @@ void fgl_param_set(struct context *ctx, unsigned dirty, const struct param *p, v
     case PARAM_FLOAT:
     case PARAM_COLOR: fgl_set_floats(ctx, dirty, field, v, p->count); break;
     case PARAM_BOOL: SET(ctx, dirty, *(bool *)field, v[0] != 0.0f); break;
+    case PARAM_INT: SET(ctx, dirty, *(int *)field, fgl_int_round((double)v[0])); break;
     case PARAM_ENUM: SET(ctx, dirty, *(GLenum *)field, fgl_enum_from_float(v[0])); break;
+    }
+}
+
+void fgl_param_get(const struct param *p, const void *object, float *v)
+{
+    const void *field = (const char *)object + p->offset;
+
+    switch (p->kind) {
+    case PARAM_FLOAT:
+    case PARAM_COLOR: memcpy(v, field, (size_t)p->count * sizeof *v); break;
+    case PARAM_BOOL: v[0] = *(const bool *)field; break;
+    case PARAM_INT: v[0] = (float)*(const int *)field; break;
+    case PARAM_ENUM: v[0] = (float)*(const GLenum *)field; break;
     }
 }
 

@@ -2,6 +2,7 @@
  * bound textures (GL 1.5, 6.1.14 "Saving and Restoring State", table 6.15). */
 #include "api/texture_attrib.h"
 
+#include "api/errors.h"
 #include "texture/texture.h"
 
 #include <string.h>
@@ -15,16 +16,15 @@ void fgl_textures_save(const struct context *ctx, struct attrib_entry *e)
         }
 }
 
-/* A texture that was deleted since the push stays so: the default texture takes its place. */
+/* OSMesa rule: a texture that was deleted since the push comes back, with its parameters but no image. */
 static void restore_texture(struct context *ctx, struct texture_object **bound, enum texture_target target,
                             const struct saved_texture *saved)
 {
-    struct texture_object *object = fgl_idmap_get(&ctx->textures->map, saved->name);
-    if (!object || object == &fgl_texture_unbound || object->target != target)
-        object = ctx->textures->default_object[target];
-    fgl_texture_bind(bound, object);
-    if (object->name != saved->name || memcmp(&object->parameters, &saved->parameters, sizeof saved->parameters) == 0)
+    struct texture_object *object = fgl_texture_lookup(ctx->textures, saved->name, target);
+    RETURN_ERROR_IF(ctx, !object, GL_OUT_OF_MEMORY);
+    if (object->target != target) /* the name means another texture now */
         return;
+    fgl_texture_bind(bound, object);
     object->parameters = saved->parameters;
     fgl_texture_changed(object);
 }

@@ -76,6 +76,15 @@ struct pixel_image fgl_pixel_image(const struct pixel_store *store, GLenum forma
 size_t fgl_pixel_image_bytes(const struct pixel_store *store, GLenum format, GLenum type, int width,
                              int height);
 
+/* One slice of a three-dimensional image, `height` rows high (GL 1.5, 3.8.1: GL_UNPACK_SKIP_IMAGES, GL_UNPACK_IMAGE_HEIGHT). */
+static inline struct pixel_image fgl_pixel_slice(struct pixel_image image, const struct pixel_store *store, int height,
+                                                 int slice)
+{
+    const size_t rows = (size_t)(store->image_height > 0 ? store->image_height : height);
+    image.first += ((size_t)store->skip_images + (size_t)slice) * rows * image.row_bytes;
+    return image;
+}
+
 /* Address of pixel 0 of a row. */
 static inline uint8_t *fgl_pixel_row(const struct pixel_image *image, int row)
 {

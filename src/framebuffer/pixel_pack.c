@@ -369,3 +369,25 @@ void fgl_pack_row(const struct pixel_pack *pack, const struct framebuffer *fb, i
         store_row(&pack->image, row, column + done, count, &components);
     }
 }
+
+void fgl_pack_colors(const struct pixel_pack *pack, const struct color_row *colors, int n, int row, int column)
+{
+    const struct pixel_format *format = pack->image.format;
+    struct fetched_row fetched = {.bits = 0, .color = *colors};
+    struct component_row components;
+    if (format->channel[0] == CHANNEL_LUMINANCE)
+        add_luminance(&fetched.color, n);
+    for (int c = 0; c < format->components; c++) {
+        const int channel = format->channel[c] == CHANNEL_LUMINANCE ? 0 : (int)format->channel[c];
+        convert_color(&fetched, channel, pack->image.type, c, n, components.value[c]);
+    }
+    store_row(&pack->image, row, column, n, &components);
+}
+
+void fgl_pack_depths(const struct pixel_pack *pack, const float *depth, int n, int row, int column)
+{
+    struct component_row components;
+    for (int i = 0; i < n; i++)
+        components.value[0][i] = depth_to_type(depth[i], pack->image.type->type);
+    store_row(&pack->image, row, column, n, &components);
+}

@@ -24,4 +24,8 @@ void fgl_pack_row(const struct pixel_pack *pack, const struct framebuffer *fb, i
 bool fgl_pack_row_plain(const struct pixel_pack *pack, const struct framebuffer *fb, int x, int y, int n, int row,
                         int column);
 
+/* The same with n colours in [0,1], or depths, that come from elsewhere, and no pixel transfer. */
+void fgl_pack_colors(const struct pixel_pack *pack, const struct color_row *colors, int n, int row, int column);
+void fgl_pack_depths(const struct pixel_pack *pack, const float *depth, int n, int row, int column);
+
 #endif

@@ -61,9 +61,7 @@ static bool init_context(struct osmesa_context *c, OSMesaContext share)
     if (share)
         fgl_texture_store_retain(share->gl.textures);
     ctx->textures = share ? share->gl.textures : fgl_texture_store_create();
-    if (ctx->textures)
-        fgl_texture_bind_defaults(ctx);
-    return ctx->immediate && ctx->pipeline && ctx->lists && ctx->textures;
+    return ctx->immediate && ctx->pipeline && ctx->lists && ctx->textures && fgl_texture_context_init(ctx);
 }
 
 static OSMesaContext create(GLenum format, int depth, int stencil, int accum, OSMesaContext share)
@@ -131,7 +129,7 @@ void GLAPIENTRY OSMesaDestroyContext(OSMesaContext c)
         fgl_current = NULL;
     fgl_list_compiler_destroy(&c->gl);
     fgl_list_store_release(c->gl.lists);
-    fgl_texture_unbind_all(&c->gl);
+    fgl_texture_context_free(&c->gl);
     fgl_texture_store_release(c->gl.textures);
     fgl_eval_maps_destroy(&c->gl);
     fgl_immediate_destroy(c->gl.immediate);

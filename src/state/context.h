@@ -318,6 +318,7 @@ struct context {
     struct list_compiler *list;      /* api/list.h: the list being compiled */
     struct list_store *lists;        /* api/list.h: lists, maybe shared with other contexts */
     struct texture_store *textures;  /* texture/texture.h: texture objects, maybe shared alike */
+    struct texture_object *proxy_texture[TEXTURE_TARGETS]; /* GL_PROXY_TEXTURE_1D...: sizes without texels */
     struct eval_maps *eval_maps;     /* api/eval_map.h: allocated when first used */
     struct pipeline *pipeline;       /* pipeline/pipeline.h: the plan and its work space */
     struct framebuffer *framebuffer; /* framebuffer/framebuffer.h; NULL until OSMesaMakeCurrent */

@@ -25,7 +25,7 @@ int fgl_texture_last_level(const struct texture_object *object)
 static bool same(const struct texture_image *a, const struct texture_image *b, int width, int height, int depth)
 {
     return b->texels && b->width == width && b->height == height && b->depth == depth &&
-           b->internal_format == a->internal_format && b->border == a->border;
+           b->internal_format == a->internal_format;
 }
 
 /* All levels that mipmapping needs, of one face. */

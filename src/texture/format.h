@@ -11,6 +11,12 @@ struct texture_format {
     int bits[4]; /* depth: bits[0] */
 };
 
+/* The generic compressed formats. OSMesa rule: kept as, and reported to be, their base formats. */
+static inline bool fgl_texture_format_compressed(const struct texture_format *format)
+{
+    return format->internal_format >= GL_COMPRESSED_ALPHA && format->internal_format <= GL_COMPRESSED_RGBA;
+}
+
 /* NULL for an enum that is no internal format. */
 const struct texture_format *fgl_texture_format(GLenum internal_format);
 

@@ -109,18 +109,24 @@ void fgl_texture_bind(struct texture_object **bound, struct texture_object *obje
     fgl_texture_release(old);
 }
 
-void fgl_texture_bind_defaults(struct context *ctx)
+bool fgl_texture_context_init(struct context *ctx)
 {
+    bool whole = true;
     for (int unit = 0; unit < FGL_MAX_TEXTURE_UNITS; unit++)
         for (int t = 0; t < TEXTURE_TARGETS; t++)
             fgl_texture_bind(&ctx->s.texture.unit[unit].bound[t], ctx->textures->default_object[t]);
+    for (enum texture_target t = 0; t < TEXTURE_TARGETS; t++)
+        whole &= (ctx->proxy_texture[t] = create(0, t)) != NULL;
+    return whole;
 }
 
-void fgl_texture_unbind_all(struct context *ctx)
+void fgl_texture_context_free(struct context *ctx)
 {
     for (int unit = 0; unit < FGL_MAX_TEXTURE_UNITS; unit++)
         for (int t = 0; t < TEXTURE_TARGETS; t++) {
             fgl_texture_release(ctx->s.texture.unit[unit].bound[t]);
             ctx->s.texture.unit[unit].bound[t] = NULL;
         }
+    for (int t = 0; t < TEXTURE_TARGETS; t++)
+        fgl_texture_release(ctx->proxy_texture[t]);
 }

@@ -1,7 +1,7 @@
 /* Texture objects and their images (GL 1.5, 3.8 "Texturing"). Layer 2.
  *
  * An image holds what OSMesa would hold: texels are quantised to their internal format when they come, and kept expanded to RGBA, ready to
- * be sampled. OSMesa rule: a border's texels are dropped, only its width is remembered for queries. */
+ * be sampled. OSMesa rule: the texels of a border are dropped, and what is left is an image without border. */
 #ifndef FGL_TEXTURE_TEXTURE_H
 #define FGL_TEXTURE_TEXTURE_H
 
@@ -22,9 +22,8 @@ enum texel_kind {
 /* Texels are RGBA by base format: GL_LUMINANCE -> LLL1, GL_ALPHA -> 000A, GL_INTENSITY -> IIII, GL_LUMINANCE_ALPHA -> LLLA,
  * GL_RGB -> RGB1. */
 struct texture_image {
-    int width, height, depth; /* texels, without the border */
-    int border;               /* as given */
-    GLenum internal_format;   /* as given */
+    int width, height, depth; /* texels */
+    GLenum internal_format;   /* as given; of a generic compressed format, its base format */
     const struct texture_format *format; /* texture/format.h; its base_format is the texels' */
     enum texel_kind kind;
     void *texels; /* NULL: no image, or one without texels */
@@ -65,9 +64,9 @@ void fgl_texture_store_release(struct texture_store *store);
 /* The object of a name, made at the first call (GL 1.5, 3.8.11 "Texture Objects"); name 0: the default object. NULL: memory is short. */
 struct texture_object *fgl_texture_lookup(struct texture_store *store, unsigned name, enum texture_target target);
 
-/* Binds every unit's targets to the default objects, which needs ctx->textures; and gives all bindings back. */
-void fgl_texture_bind_defaults(struct context *ctx);
-void fgl_texture_unbind_all(struct context *ctx);
+/* Binds every unit's targets to the default objects of ctx->textures and makes the proxies; and gives all of it back. */
+bool fgl_texture_context_init(struct context *ctx);
+void fgl_texture_context_free(struct context *ctx);
 /* Puts an object in the place of the one that is bound. */
 void fgl_texture_bind(struct texture_object **bound, struct texture_object *object);
 void fgl_texture_release(struct texture_object *object);

@@ -1,0 +1,137 @@
+/* glCopyTexImage, glCopyTexSubImage (GL 1.5, 3.8.2 "Alternate Texture Image Specification Commands"): the framebuffer's
+ * pixels, through pixel transfer. */
+#include "api/command.h"
+#include "api/errors.h"
+#include "api/texture_image.h"
+#include "framebuffer/pixel_pack.h"
+#include "framebuffer/pixel_unpack.h"
+
+/* A rectangle of the framebuffer: window coordinates, y up. */
+struct source_rect {
+    int x, y, width, height;
+};
+
+static GLenum source_error(const struct context *ctx, GLenum internal_format)
+{
+    const struct framebuffer *fb = ctx->framebuffer;
+    const struct texture_format *f = fgl_texture_format(internal_format);
+    const bool depth = f && f->kind == TEXELS_DEPTH;
+    if (!fb || (depth ? !fb->depth_bits : ctx->s.pixel_mode.read_buffer == GL_NONE))
+        return GL_INVALID_OPERATION;
+    return GL_NO_ERROR;
+}
+
+/* n pixels of the framebuffer to texels. Row y counts from the top. */
+static void copy_run(struct context *ctx, struct texture_image *image, int x, int y, int n, int to_x, int to_y, int to_z)
+{
+    const struct framebuffer *fb = ctx->framebuffer;
+    const bool depth = image->kind == TEXELS_DEPTH;
+    float pixel[4 * PIXEL_CHUNK] = {0}, plane[4][PIXEL_CHUNK];
+    const struct pixel_pack pack = {
+            .image = fgl_pixel_image(&fgl_packed_store, depth ? GL_DEPTH_COMPONENT : GL_RGBA, GL_FLOAT, n, pixel),
+            .mode = &ctx->s.pixel_mode,
+            .maps = ctx->pixel_map,
+    };
+    fgl_pack_row(&pack, fb, x, y, n, 0, 0);
+    if (depth) {
+        fgl_texture_store_depth(image, to_x, to_y, to_z, n, pixel);
+        return;
+    }
+    for (int i = 0; i < n; i++)
+        for (int c = 0; c < 4; c++)
+            plane[c][i] = pixel[4 * i + c];
+    const float *const planes[4] = {plane[0], plane[1], plane[2], plane[3]};
+    fgl_texture_store_color(image, to_x, to_y, to_z, n, planes,
+                            fb->color_kind == COLOR_UNORM8 && !fgl_transfer_color_active(pack.mode));
+}
+
+/* What lies outside of the framebuffer is undefined: its texels stay as they are. */
+static void copy(struct context *ctx, struct texture_image *image, struct source_rect from, int to_x, int to_y, int to_z)
+{
+    const struct framebuffer *fb = ctx->framebuffer;
+    const int64_t right = (int64_t)from.x + from.width, top = (int64_t)from.y + from.height;
+    const int x0 = fgl_max(from.x, 0), x1 = right < fb->width ? (int)right : fb->width;
+    const int y0 = fgl_max(from.y, 0), y1 = top < fb->height ? (int)top : fb->height;
+    for (int y = y0; y < y1; y++)
+        for (int x = x0; x < x1; x += PIXEL_CHUNK)
+            copy_run(ctx, image, x, fb->height - 1 - y, fgl_min(PIXEL_CHUNK, x1 - x), to_x + x - from.x, to_y + y - from.y,
+                     to_z);
+}
+
+/* GL 1.5, 3.8.2: the formats of glTexImage but 1, 2, 3 and 4. */
+static void copy_image(struct context *ctx, const struct texture_call *call, int x, int y)
+{
+    struct image_target t;
+    bool too_large;
+    const GLenum format = (GLenum)call->internal_format;
+    RETURN_ERROR_IF(ctx, !fgl_image_target(call->target, call->dimensions, &t) || t.proxy, GL_INVALID_ENUM);
+    RETURN_ERROR_IF(ctx, format <= 4 || !fgl_texture_format(format), GL_INVALID_ENUM);
+    GLenum error = fgl_texture_define_error(call, &t, &too_large);
+    RETURN_ERROR_IF(ctx, error, error);
+    error = source_error(ctx, format);
+    RETURN_ERROR_IF(ctx, error, error);
+    fgl_flush_vertices(ctx, 0);
+    if (!fgl_texture_define(ctx, call, &t))
+        return;
+    const int border = call->border, border_y = call->dimensions > 1 ? border : 0;
+    copy(ctx, fgl_target_image(ctx, &t, call->level),
+         (struct source_rect){x + border, y + border_y, call->width - 2 * border, call->height - 2 * border_y}, 0, 0, 0);
+    fgl_texture_after_change(ctx, &t, call->level);
+}
+
+static void copy_sub_image(struct context *ctx, const struct texture_call *call, int x, int y)
+{
+    struct image_target t;
+    RETURN_ERROR_IF(ctx, !fgl_image_target(call->target, call->dimensions, &t) || t.proxy, GL_INVALID_ENUM);
+    RETURN_ERROR_IF(ctx, call->level < 0 || call->level >= fgl_texture_levels(t.target), GL_INVALID_VALUE);
+    struct texture_image *image = fgl_target_image(ctx, &t, call->level);
+    GLenum error = fgl_texture_part_error(call, image);
+    RETURN_ERROR_IF(ctx, error, error);
+    error = source_error(ctx, image->internal_format);
+    RETURN_ERROR_IF(ctx, error, error);
+    fgl_flush_vertices(ctx, DIRTY_TEXTURE);
+    copy(ctx, image, (struct source_rect){x, y, call->width, call->height}, call->x, call->y, call->z);
+    fgl_texture_after_change(ctx, &t, call->level);
+}
+
+void fgl_exec_CopyTexImage1D(struct context *ctx, GLenum target, GLint level, GLenum internalformat, GLint x, GLint y,
+                             GLsizei width, GLint border)
+{
+    const struct texture_call call = {.dimensions = 1, .target = target, .level = level,
+                                      .internal_format = (int)internalformat, .border = border, .width = width,
+                                      .height = 1, .depth = 1};
+    copy_image(ctx, &call, x, y);
+}
+
+void fgl_exec_CopyTexImage2D(struct context *ctx, GLenum target, GLint level, GLenum internalformat, GLint x, GLint y,
+                             GLsizei width, GLsizei height, GLint border)
+{
+    const struct texture_call call = {.dimensions = 2, .target = target, .level = level,
+                                      .internal_format = (int)internalformat, .border = border, .width = width,
+                                      .height = height, .depth = 1};
+    copy_image(ctx, &call, x, y);
+}
+
+void fgl_exec_CopyTexSubImage1D(struct context *ctx, GLenum target, GLint level, GLint xoffset, GLint x, GLint y,
+                                GLsizei width)
+{
+    const struct texture_call call = {.dimensions = 1, .target = target, .level = level, .x = xoffset, .width = width,
+                                      .height = 1, .depth = 1};
+    copy_sub_image(ctx, &call, x, y);
+}
+
+void fgl_exec_CopyTexSubImage2D(struct context *ctx, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint x,
+                                GLint y, GLsizei width, GLsizei height)
+{
+    const struct texture_call call = {.dimensions = 2, .target = target, .level = level, .x = xoffset, .y = yoffset,
+                                      .width = width, .height = height, .depth = 1};
+    copy_sub_image(ctx, &call, x, y);
+}
+
+void fgl_exec_CopyTexSubImage3D(struct context *ctx, GLenum target, GLint level, GLint xoffset, GLint yoffset,
+                                GLint zoffset, GLint x, GLint y, GLsizei width, GLsizei height)
+{
+    const struct texture_call call = {.dimensions = 3, .target = target, .level = level, .x = xoffset, .y = yoffset,
+                                      .z = zoffset, .width = width, .height = height, .depth = 1};
+    copy_sub_image(ctx, &call, x, y);
+}

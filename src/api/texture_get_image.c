@@ -1,0 +1,52 @@
+/* glGetTexImage (GL 1.5, 6.1.4 "Texture Queries"). */
+#include "api/command.h"
+#include "api/errors.h"
+#include "api/texture_image.h"
+#include "framebuffer/pixel_pack.h"
+
+static GLenum format_error(const struct texture_image *image, GLenum format, GLenum type)
+{
+    const GLenum error = fgl_pixel_check(format, type);
+    if (error)
+        return error;
+    if (format == GL_COLOR_INDEX || format == GL_STENCIL_INDEX)
+        return GL_INVALID_ENUM;
+    if (image->format && (image->kind == TEXELS_DEPTH) != (format == GL_DEPTH_COMPONENT))
+        return GL_INVALID_OPERATION;
+    return GL_NO_ERROR;
+}
+
+/* n texels from (x, y, z) on. */
+static void pack_run(const struct pixel_pack *pack, const struct texture_image *image, int x, int y, int z, int n)
+{
+    struct color_row colors;
+    if (image->kind == TEXELS_DEPTH) {
+        fgl_pack_depths(pack, (const float *)image->texels + fgl_texel_index(image, x, y, z), n, y, x);
+        return;
+    }
+    float *const planes[4] = {colors.channel[0], colors.channel[1], colors.channel[2], colors.channel[3]};
+    fgl_texture_load_color(image, x, y, z, n, planes);
+    fgl_pack_colors(pack, &colors, n, y, x);
+}
+
+/* No pixel transfer takes place. */
+void fgl_exec_GetTexImage(struct context *ctx, GLenum target, GLint level, GLenum format, GLenum type, GLvoid *pixels)
+{
+    struct image_target t;
+    RETURN_ERROR_IF(ctx, !fgl_image_target(target, 0, &t) || t.proxy, GL_INVALID_ENUM);
+    RETURN_ERROR_IF(ctx, level < 0 || level >= fgl_texture_levels(t.target), GL_INVALID_VALUE);
+    const struct texture_image *image = fgl_target_image(ctx, &t, level);
+    const GLenum error = format_error(image, format, type);
+    RETURN_ERROR_IF(ctx, error, error);
+    if (!image->texels)
+        return;
+    const struct pixel_store *store = &ctx->client.pack;
+    const struct pixel_image whole = fgl_pixel_image(store, format, type, image->width, pixels);
+    struct pixel_pack pack = {.mode = &ctx->s.pixel_mode, .maps = ctx->pixel_map};
+    for (int z = 0; z < image->depth; z++) {
+        pack.image = t.target == TEXTURE_3D ? fgl_pixel_slice(whole, store, image->height, z) : whole;
+        for (int y = 0; y < image->height; y++)
+            for (int x = 0; x < image->width; x += PIXEL_CHUNK)
+                pack_run(&pack, image, x, y, z, fgl_min(PIXEL_CHUNK, image->width - x));
+    }
+}

@@ -1,0 +1,318 @@
+/* glTexImage and glTexSubImage (GL 1.5, 3.8.1 "Texture Image Specification", 3.8.2 "Alternate Texture Image Specification
+ * Commands"). */
+#include "api/texture_image.h"
+
+#include "api/command.h"
+#include "api/errors.h"
+#include "api/list.h"
+#include "framebuffer/pixel_unpack.h"
+#include "texture/mipmap.h"
+
+#include <string.h>
+
+/* ---- errors ---- */
+
+static bool is_depth(GLenum internal_format)
+{
+    const struct texture_format *f = fgl_texture_format(internal_format);
+    return f && f->kind == TEXELS_DEPTH;
+}
+
+/* Whether a level may have this size in one dimension. */
+static bool size_fits(const struct texture_call *call, int levels, int size)
+{
+    return size - 2 * call->border <= 1 << (levels - 1 - call->level);
+}
+
+GLenum fgl_texture_define_error(const struct texture_call *call, const struct image_target *t, bool *too_large)
+{
+    const int levels = fgl_texture_levels(t->target);
+    const int smallest = 2 * call->border;
+    if (call->level < 0 || call->level >= levels || call->border < 0 || call->border > 1)
+        return GL_INVALID_VALUE;
+    if (call->width < smallest || (call->dimensions > 1 && call->height < smallest) ||
+        (call->dimensions > 2 && call->depth < smallest))
+        return GL_INVALID_VALUE;
+    if (!fgl_texture_format((GLenum)call->internal_format))
+        return GL_INVALID_VALUE;
+    if (t->target == TEXTURE_CUBE_MAP && call->width != call->height)
+        return GL_INVALID_VALUE;
+    *too_large = !size_fits(call, levels, call->width) || (call->dimensions > 1 && !size_fits(call, levels, call->height)) ||
+                 (call->dimensions > 2 && !size_fits(call, levels, call->depth));
+    return *too_large && !t->proxy ? GL_INVALID_VALUE : GL_NO_ERROR;
+}
+
+static bool part_fits(int offset, int size, int whole)
+{
+    return offset >= 0 && size >= 0 && (int64_t)offset + size <= whole;
+}
+
+GLenum fgl_texture_part_error(const struct texture_call *call, const struct texture_image *image)
+{
+    if (call->width < 0 || call->height < 0 || call->depth < 0)
+        return GL_INVALID_VALUE;
+    if (!image->format)
+        return GL_INVALID_OPERATION;
+    const bool fits = part_fits(call->x, call->width, image->width) && part_fits(call->y, call->height, image->height) &&
+                      part_fits(call->z, call->depth, image->depth);
+    return fits ? GL_NO_ERROR : GL_INVALID_VALUE;
+}
+
+/* Of format and type alone, and together with the internal format. */
+static GLenum pixels_error(const struct texture_call *call, const struct image_target *t, GLenum internal_format)
+{
+    const GLenum error = fgl_pixel_check(call->format, call->type);
+    if (error)
+        return error;
+    if (call->format == GL_STENCIL_INDEX)
+        return GL_INVALID_ENUM;
+    if (is_depth(internal_format) != (call->format == GL_DEPTH_COMPONENT))
+        return GL_INVALID_OPERATION;
+    if (is_depth(internal_format) && (t->target == TEXTURE_3D || t->target == TEXTURE_CUBE_MAP))
+        return GL_INVALID_OPERATION;
+    return GL_NO_ERROR;
+}
+
+static GLenum image_error(const struct texture_call *call, struct image_target *t, bool *too_large)
+{
+    if (!fgl_image_target(call->target, call->dimensions, t))
+        return GL_INVALID_ENUM;
+    const GLenum error = fgl_texture_define_error(call, t, too_large);
+    return error ? error : pixels_error(call, t, (GLenum)call->internal_format);
+}
+
+static GLenum sub_image_error(struct context *ctx, const struct texture_call *call, struct image_target *t)
+{
+    if (!fgl_image_target(call->target, call->dimensions, t) || t->proxy)
+        return GL_INVALID_ENUM;
+    if (call->level < 0 || call->level >= fgl_texture_levels(t->target))
+        return GL_INVALID_VALUE;
+    const struct texture_image *image = fgl_target_image(ctx, t, call->level);
+    const GLenum error = fgl_texture_part_error(call, image);
+    return error ? error : pixels_error(call, t, image->internal_format);
+}
+
+/* ---- texels ---- */
+
+/* Where pixels lie: given, or in a display list. */
+struct pixel_source {
+    const struct pixel_store *store;
+    const void *pixels;
+};
+
+/* Whether colours arrive as whole bytes. */
+static bool from_bytes(const struct context *ctx, const struct pixel_image *image)
+{
+    const struct pixel_type *type = image->type;
+    return !fgl_transfer_color_active(&ctx->s.pixel_mode) &&
+           (type->type == GL_UNSIGNED_BYTE || (type->fields && type->bits[0] <= 8));
+}
+
+/* n pixels of a row, from `column` on, to texels from x on. */
+static void store_pixels(const struct pixel_unpack *unpack, struct texture_image *image, int row, int column, int n, int x,
+                         int y, int z, bool bytes)
+{
+    struct color_row colors;
+    if (image->kind == TEXELS_DEPTH) {
+        fgl_unpack_depth(unpack, row, column, n, colors.channel[0]);
+        fgl_texture_store_depth(image, x, y, z, n, colors.channel[0]);
+        return;
+    }
+    fgl_unpack_color(unpack, row, column, n, &colors);
+    const float *const planes[4] = {colors.channel[0], colors.channel[1], colors.channel[2], colors.channel[3]};
+    fgl_texture_store_color(image, x, y, z, n, planes, bytes);
+}
+
+/* OSMesa rule: of a border nothing is read. */
+static void store_image(struct context *ctx, const struct texture_call *call, const struct pixel_source *source,
+                        struct texture_image *image)
+{
+    const int border = call->sub ? 0 : call->border, border_y = call->dimensions > 1 ? border : 0,
+              border_z = call->dimensions > 2 ? border : 0;
+    const int width = call->width - 2 * border, height = call->height - 2 * border_y, depth = call->depth - 2 * border_z;
+    const struct pixel_image whole = fgl_pixel_image(source->store, call->format, call->type, call->width, source->pixels);
+    struct pixel_unpack unpack = {.mode = &ctx->s.pixel_mode, .maps = ctx->pixel_map};
+    const bool bytes = from_bytes(ctx, &whole);
+    for (int z = 0; z < depth; z++) {
+        unpack.image = call->dimensions < 3 ? whole : fgl_pixel_slice(whole, source->store, call->height, z + border_z);
+        for (int y = 0; y < height; y++)
+            for (int x = 0; x < width; x += PIXEL_CHUNK)
+                store_pixels(&unpack, image, y + border_y, x + border, fgl_min(PIXEL_CHUNK, width - x), call->x + x,
+                             call->y + y, call->z + z, bytes);
+    }
+}
+
+bool fgl_texture_define(struct context *ctx, const struct texture_call *call, const struct image_target *t)
+{
+    const struct image_shape shape = {(GLenum)call->internal_format, call->width, call->height, call->depth, call->border};
+    if (!t->proxy)
+        fgl_texture_touch(ctx, fgl_bound_texture(ctx, t->target));
+    if (fgl_texture_image_define(fgl_target_image(ctx, t, call->level), t->target, &shape, t->proxy))
+        return true;
+    fgl_error(ctx, GL_OUT_OF_MEMORY);
+    return false;
+}
+
+void fgl_texture_after_change(struct context *ctx, const struct image_target *t, int level)
+{
+    struct texture_object *object = fgl_bound_texture(ctx, t->target);
+    if (object->parameters.generate_mipmap && level == object->parameters.base_level &&
+        !fgl_texture_generate_mipmaps(object, t->face))
+        fgl_error(ctx, GL_OUT_OF_MEMORY);
+}
+
+/* ---- executing ---- */
+
+static void execute_image(struct context *ctx, const struct texture_call *call, const struct pixel_source *source)
+{
+    struct image_target t;
+    bool too_large = false;
+    const GLenum error = image_error(call, &t, &too_large);
+    RETURN_ERROR_IF(ctx, error, error);
+    if (too_large) {
+        fgl_texture_image_clear(fgl_target_image(ctx, &t, call->level));
+        return;
+    }
+    if (!fgl_texture_define(ctx, call, &t) || t.proxy)
+        return;
+    if (source->pixels)
+        store_image(ctx, call, source, fgl_target_image(ctx, &t, call->level));
+    fgl_texture_after_change(ctx, &t, call->level);
+}
+
+static void execute_sub_image(struct context *ctx, const struct texture_call *call, const struct pixel_source *source)
+{
+    struct image_target t;
+    const GLenum error = sub_image_error(ctx, call, &t);
+    RETURN_ERROR_IF(ctx, error, error);
+    if (!source->pixels)
+        return;
+    fgl_flush_vertices(ctx, DIRTY_TEXTURE);
+    store_image(ctx, call, source, fgl_target_image(ctx, &t, call->level));
+    fgl_texture_after_change(ctx, &t, call->level);
+}
+
+static void execute(struct context *ctx, const struct texture_call *call, const struct pixel_source *source)
+{
+    if (call->sub)
+        execute_sub_image(ctx, call, source);
+    else
+        execute_image(ctx, call, source);
+}
+
+/* ---- display lists ---- */
+
+struct texture_node {
+    struct texture_call call;
+    bool has_pixels;
+    uint64_t pixels[]; /* slices packed tightly */
+};
+
+/* Bytes of a slice when packed; 0 when there are no pixels to keep, or the call will only raise an error. */
+static size_t slice_bytes(const struct texture_call *call, const void *pixels)
+{
+    const int largest = FGL_MAX_TEXTURE_SIZE + 2;
+    if (!pixels || fgl_pixel_check(call->format, call->type) || call->width < 0 || call->width > largest ||
+        call->height < 0 || call->height > largest || call->depth < 0 || call->depth > largest)
+        return 0;
+    return fgl_pixel_image_bytes(&fgl_packed_store, call->format, call->type, call->width, call->height);
+}
+
+static void record(struct context *ctx, const struct texture_call *call, const void *pixels)
+{
+    const size_t bytes = slice_bytes(call, pixels), room = UINT32_MAX - sizeof(struct texture_node) - 8;
+    RETURN_ERROR_IF(ctx, bytes && (size_t)call->depth > room / bytes, GL_OUT_OF_MEMORY);
+    struct texture_node *node = fgl_list_record(ctx, OP_TEXTURE_IMAGE, sizeof *node + bytes * (size_t)call->depth);
+    if (!node)
+        return;
+    *node = (struct texture_node){*call, bytes > 0};
+    if (!bytes)
+        return;
+    const struct pixel_store *store = &ctx->client.unpack;
+    const struct pixel_image image = fgl_pixel_image(store, call->format, call->type, call->width, NULL);
+    for (int z = 0; z < call->depth; z++) {
+        const size_t offset = call->dimensions < 3 ? 0 : fgl_pixel_slice(image, store, call->height, z).first - image.first;
+        fgl_pixel_copy(store, call->format, call->type, call->width, call->height, (const char *)pixels + offset,
+                       (char *)node->pixels + (size_t)z * bytes);
+    }
+}
+
+void fgl_list_replay_texture_image(struct context *ctx, const void *payload)
+{
+    const struct texture_node *node = payload;
+    const struct pixel_source source = {&fgl_packed_store, node->has_pixels ? node->pixels : NULL};
+    RETURN_ERROR_IF(ctx, ctx->begin_mode != OUTSIDE_BEGIN_END, GL_INVALID_OPERATION);
+    execute(ctx, &node->call, &source);
+}
+
+/* GL 1.5, 5.4: proxies are never compiled. */
+static void command(const struct texture_call *call, const void *pixels)
+{
+    struct context *ctx = fgl_current;
+    struct image_target t;
+    if (!ctx)
+        return;
+    RETURN_ERROR_IF(ctx, ctx->begin_mode != OUTSIDE_BEGIN_END, GL_INVALID_OPERATION);
+    const bool proxy = fgl_image_target(call->target, 0, &t) && t.proxy;
+    if (ctx->compiling && !proxy)
+        record(ctx, call, pixels);
+    if (ctx->compiling == GL_COMPILE && !proxy)
+        return;
+    const struct pixel_source source = {&ctx->client.unpack, pixels};
+    execute(ctx, call, &source);
+}
+
+/* ---- commands ---- */
+
+void GLAPIENTRY glTexImage1D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLint border, GLenum format,
+                             GLenum type, const GLvoid *pixels)
+{
+    const struct texture_call call = {.dimensions = 1, .target = target, .format = format, .type = type, .level = level,
+                                      .internal_format = internalformat, .border = border, .width = width, .height = 1,
+                                      .depth = 1};
+    command(&call, pixels);
+}
+
+void GLAPIENTRY glTexImage2D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height,
+                             GLint border, GLenum format, GLenum type, const GLvoid *pixels)
+{
+    const struct texture_call call = {.dimensions = 2, .target = target, .format = format, .type = type, .level = level,
+                                      .internal_format = internalformat, .border = border, .width = width,
+                                      .height = height, .depth = 1};
+    command(&call, pixels);
+}
+
+void GLAPIENTRY glTexImage3D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height,
+                             GLsizei depth, GLint border, GLenum format, GLenum type, const GLvoid *pixels)
+{
+    const struct texture_call call = {.dimensions = 3, .target = target, .format = format, .type = type, .level = level,
+                                      .internal_format = internalformat, .border = border, .width = width,
+                                      .height = height, .depth = depth};
+    command(&call, pixels);
+}
+
+void GLAPIENTRY glTexSubImage1D(GLenum target, GLint level, GLint xoffset, GLsizei width, GLenum format, GLenum type,
+                                const GLvoid *pixels)
+{
+    const struct texture_call call = {.dimensions = 1, .sub = true, .target = target, .format = format, .type = type,
+                                      .level = level, .x = xoffset, .width = width, .height = 1, .depth = 1};
+    command(&call, pixels);
+}
+
+void GLAPIENTRY glTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height,
+                                GLenum format, GLenum type, const GLvoid *pixels)
+{
+    const struct texture_call call = {.dimensions = 2, .sub = true, .target = target, .format = format, .type = type,
+                                      .level = level, .x = xoffset, .y = yoffset, .width = width, .height = height,
+                                      .depth = 1};
+    command(&call, pixels);
+}
+
+void GLAPIENTRY glTexSubImage3D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint zoffset, GLsizei width,
+                                GLsizei height, GLsizei depth, GLenum format, GLenum type, const GLvoid *pixels)
+{
+    const struct texture_call call = {.dimensions = 3, .sub = true, .target = target, .format = format, .type = type,
+                                      .level = level, .x = xoffset, .y = yoffset, .z = zoffset, .width = width,
+                                      .height = height, .depth = depth};
+    command(&call, pixels);
+}

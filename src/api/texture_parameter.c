@@ -1,0 +1,173 @@
+/* glTexParameter, glGetTexParameter, glGetTexLevelParameter (GL 1.5, 3.8.4 "Texture Parameters", 6.1.3 "Enumerated
+ * Queries"). */
+#include "api/command.h"
+#include "api/convert.h"
+#include "api/params.h"
+#include "api/set.h"
+#include "api/texture_image.h"
+
+#include <string.h>
+
+/* ---- glTexParameter ---- */
+
+static bool is_filter(GLenum v)
+{
+    return v == GL_NEAREST || v == GL_LINEAR;
+}
+
+static bool is_min_filter(GLenum v)
+{
+    return is_filter(v) || v == GL_NEAREST_MIPMAP_NEAREST || v == GL_NEAREST_MIPMAP_LINEAR ||
+           v == GL_LINEAR_MIPMAP_NEAREST || v == GL_LINEAR_MIPMAP_LINEAR;
+}
+
+static bool is_wrap(GLenum v)
+{
+    return v == GL_CLAMP || v == GL_REPEAT || v == GL_CLAMP_TO_EDGE || v == GL_CLAMP_TO_BORDER || v == GL_MIRRORED_REPEAT;
+}
+
+/* Table 3.18: whether an enumerant is one of the parameter's values. */
+static bool enum_allowed(GLenum pname, GLenum v)
+{
+    switch (pname) {
+    case GL_TEXTURE_WRAP_S:
+    case GL_TEXTURE_WRAP_T:
+    case GL_TEXTURE_WRAP_R: return is_wrap(v);
+    case GL_TEXTURE_MIN_FILTER: return is_min_filter(v);
+    case GL_TEXTURE_MAG_FILTER: return is_filter(v);
+    case GL_DEPTH_TEXTURE_MODE: return v == GL_LUMINANCE || v == GL_INTENSITY || v == GL_ALPHA;
+    case GL_TEXTURE_COMPARE_MODE: return v == GL_NONE || v == GL_COMPARE_R_TO_TEXTURE;
+    case GL_TEXTURE_COMPARE_FUNC: return v >= GL_NEVER && v <= GL_ALWAYS;
+    default: return true;
+    }
+}
+
+void fgl_exec_TexParameterfv(struct context *ctx, GLenum target, GLenum pname, const GLfloat *params)
+{
+    enum texture_target t;
+    const struct param *p = fgl_texture_param(pname);
+    RETURN_ERROR_IF(ctx, !fgl_texture_target(target, &t) || !p, GL_INVALID_ENUM);
+    RETURN_ERROR_IF(ctx, p->kind == PARAM_ENUM && !enum_allowed(pname, fgl_enum_from_float(params[0])), GL_INVALID_ENUM);
+    RETURN_ERROR_IF(ctx, !fgl_param_allows(p, params), GL_INVALID_VALUE);
+
+    float v[4];
+    for (int i = 0; i < p->count; i++)
+        v[i] = p->kind == PARAM_COLOR ? fgl_clamp01(params[i]) : params[i];
+    struct texture_object *object = fgl_bound_texture(ctx, t);
+    fgl_param_set(ctx, DIRTY_TEXTURE, p, &object->parameters, v);
+    fgl_texture_changed(object);
+}
+
+void GLAPIENTRY glTexParameteriv(GLenum target, GLenum pname, const GLint *params)
+{
+    float v[4];
+    fgl_param_from_ints(fgl_texture_param(pname), params, v);
+    glTexParameterfv(target, pname, v);
+}
+
+/* The scalar forms take single-valued parameters only: any other pname is none of theirs. */
+static GLenum scalar(GLenum pname)
+{
+    return fgl_count_texture(pname) == 1 ? pname : GL_NONE;
+}
+
+void GLAPIENTRY glTexParameterf(GLenum target, GLenum pname, GLfloat param)
+{
+    glTexParameterfv(target, scalar(pname), &param);
+}
+
+void GLAPIENTRY glTexParameteri(GLenum target, GLenum pname, GLint param)
+{
+    glTexParameteriv(target, scalar(pname), &param);
+}
+
+/* ---- glGetTexParameter ---- */
+
+/* Reads a parameter; NULL after recording an error. GL_TEXTURE_RESIDENT can only be asked for: all textures are. */
+static const struct param *get(struct context *ctx, GLenum target, GLenum pname, float v[4])
+{
+    static const struct param resident = {.pname = GL_TEXTURE_RESIDENT, .kind = PARAM_BOOL, .count = 1};
+    enum texture_target t;
+    const struct param *p = pname == GL_TEXTURE_RESIDENT ? &resident : fgl_texture_param(pname);
+    RETURN_VALUE_ERROR_IF(ctx, !fgl_texture_target(target, &t) || !p, GL_INVALID_ENUM, NULL);
+    if (p == &resident)
+        v[0] = 1.0f;
+    else
+        fgl_param_get(p, &fgl_bound_texture(ctx, t)->parameters, v);
+    return p;
+}
+
+void fgl_exec_GetTexParameterfv(struct context *ctx, GLenum target, GLenum pname, GLfloat *params)
+{
+    float v[4];
+    const struct param *p = get(ctx, target, pname, v);
+    if (p)
+        memcpy(params, v, (size_t)p->count * sizeof *v);
+}
+
+void fgl_exec_GetTexParameteriv(struct context *ctx, GLenum target, GLenum pname, GLint *params)
+{
+    float v[4];
+    const struct param *p = get(ctx, target, pname, v);
+    if (p)
+        fgl_param_to_ints(p, v, params);
+}
+
+/* ---- glGetTexLevelParameter ---- */
+
+/* Bits of a channel that the format has (table 6.16). */
+static int channel_size(const struct texture_format *f, GLenum pname)
+{
+    const GLenum base = f->base_format;
+    switch (pname) {
+    case GL_TEXTURE_RED_SIZE: return base == GL_RGB || base == GL_RGBA ? f->bits[0] : 0;
+    case GL_TEXTURE_GREEN_SIZE: return f->bits[1];
+    case GL_TEXTURE_BLUE_SIZE: return f->bits[2];
+    case GL_TEXTURE_ALPHA_SIZE: return f->bits[3];
+    case GL_TEXTURE_LUMINANCE_SIZE: return base == GL_LUMINANCE || base == GL_LUMINANCE_ALPHA ? f->bits[0] : 0;
+    case GL_TEXTURE_INTENSITY_SIZE: return base == GL_INTENSITY ? f->bits[0] : 0;
+    default: return base == GL_DEPTH_COMPONENT ? f->bits[0] : 0;
+    }
+}
+
+/* Table 6.16; false for a pname that is not in it. */
+static bool level_value(const struct texture_image *image, bool proxy, GLenum pname, int *v)
+{
+    switch (pname) {
+    case GL_TEXTURE_WIDTH: *v = image->width; return true;
+    case GL_TEXTURE_HEIGHT: *v = image->height; return true;
+    case GL_TEXTURE_DEPTH: *v = image->depth; return true;
+    case GL_TEXTURE_BORDER: *v = 0; return true;
+    case GL_TEXTURE_INTERNAL_FORMAT: *v = image->format ? (int)image->internal_format : proxy ? 0 : 1; return true;
+    case GL_TEXTURE_COMPRESSED: *v = 0; return true;
+    case GL_TEXTURE_RED_SIZE:
+    case GL_TEXTURE_GREEN_SIZE:
+    case GL_TEXTURE_BLUE_SIZE:
+    case GL_TEXTURE_ALPHA_SIZE:
+    case GL_TEXTURE_LUMINANCE_SIZE:
+    case GL_TEXTURE_INTENSITY_SIZE:
+    case GL_TEXTURE_DEPTH_SIZE: *v = image->format ? channel_size(image->format, pname) : 0; return true;
+    default: return false;
+    }
+}
+
+void fgl_exec_GetTexLevelParameteriv(struct context *ctx, GLenum target, GLint level, GLenum pname, GLint *params)
+{
+    struct image_target t;
+    int v = 0;
+    RETURN_ERROR_IF(ctx, !fgl_image_target(target, 0, &t), GL_INVALID_ENUM);
+    RETURN_ERROR_IF(ctx, level < 0 || level >= fgl_texture_levels(t.target), GL_INVALID_VALUE);
+    const struct texture_image *image = fgl_target_image(ctx, &t, level);
+    /* No image is compressed. GL 1.5, 6.1.3 */
+    RETURN_ERROR_IF(ctx, pname == GL_TEXTURE_COMPRESSED_IMAGE_SIZE, GL_INVALID_OPERATION);
+    RETURN_ERROR_IF(ctx, !level_value(image, t.proxy, pname, &v), GL_INVALID_ENUM);
+    *params = v;
+}
+
+void fgl_exec_GetTexLevelParameterfv(struct context *ctx, GLenum target, GLint level, GLenum pname, GLfloat *params)
+{
+    GLint v = -1; /* no value is */
+    fgl_exec_GetTexLevelParameteriv(ctx, target, level, pname, &v);
+    if (v >= 0)
+        *params = (float)v;
+}

@@ -1,0 +1,70 @@
+/* The table of internal formats. */
+#include "texture/format.h"
+
+#define U TEXELS_UNORM8
+#define W TEXELS_FLOAT
+
+/* OSMesa rules: formats without bits of their own have 8 a channel; 4-bit channels alone become 8, 2-bit ones 4; 12 bits
+ * become 16. The generic compressed formats are not compressed. */
+static const struct texture_format formats[] = {
+        {GL_ALPHA, GL_ALPHA, U, {0, 0, 0, 8}},
+        {GL_ALPHA4, GL_ALPHA, U, {0, 0, 0, 8}},
+        {GL_ALPHA8, GL_ALPHA, U, {0, 0, 0, 8}},
+        {GL_ALPHA12, GL_ALPHA, W, {0, 0, 0, 16}},
+        {GL_ALPHA16, GL_ALPHA, W, {0, 0, 0, 16}},
+        {1, GL_LUMINANCE, U, {8}},
+        {GL_LUMINANCE, GL_LUMINANCE, U, {8}},
+        {GL_LUMINANCE4, GL_LUMINANCE, U, {8}},
+        {GL_LUMINANCE8, GL_LUMINANCE, U, {8}},
+        {GL_LUMINANCE12, GL_LUMINANCE, W, {16}},
+        {GL_LUMINANCE16, GL_LUMINANCE, W, {16}},
+        {2, GL_LUMINANCE_ALPHA, U, {8, 0, 0, 8}},
+        {GL_LUMINANCE_ALPHA, GL_LUMINANCE_ALPHA, U, {8, 0, 0, 8}},
+        {GL_LUMINANCE4_ALPHA4, GL_LUMINANCE_ALPHA, U, {4, 0, 0, 4}},
+        {GL_LUMINANCE6_ALPHA2, GL_LUMINANCE_ALPHA, U, {8, 0, 0, 8}},
+        {GL_LUMINANCE8_ALPHA8, GL_LUMINANCE_ALPHA, U, {8, 0, 0, 8}},
+        {GL_LUMINANCE12_ALPHA4, GL_LUMINANCE_ALPHA, W, {16, 0, 0, 16}},
+        {GL_LUMINANCE12_ALPHA12, GL_LUMINANCE_ALPHA, W, {16, 0, 0, 16}},
+        {GL_LUMINANCE16_ALPHA16, GL_LUMINANCE_ALPHA, W, {16, 0, 0, 16}},
+        {GL_INTENSITY, GL_INTENSITY, U, {8}},
+        {GL_INTENSITY4, GL_INTENSITY, U, {8}},
+        {GL_INTENSITY8, GL_INTENSITY, U, {8}},
+        {GL_INTENSITY12, GL_INTENSITY, W, {16}},
+        {GL_INTENSITY16, GL_INTENSITY, W, {16}},
+        {3, GL_RGB, U, {8, 8, 8}},
+        {GL_RGB, GL_RGB, U, {8, 8, 8}},
+        {GL_R3_G3_B2, GL_RGB, U, {3, 3, 2}},
+        {GL_RGB4, GL_RGB, U, {4, 4, 4}},
+        {GL_RGB5, GL_RGB, U, {5, 5, 5}},
+        {GL_RGB8, GL_RGB, U, {8, 8, 8}},
+        {GL_RGB10, GL_RGB, W, {10, 10, 10}},
+        {GL_RGB12, GL_RGB, W, {16, 16, 16}},
+        {GL_RGB16, GL_RGB, W, {16, 16, 16}},
+        {4, GL_RGBA, U, {8, 8, 8, 8}},
+        {GL_RGBA, GL_RGBA, U, {8, 8, 8, 8}},
+        {GL_RGBA2, GL_RGBA, U, {4, 4, 4, 4}},
+        {GL_RGBA4, GL_RGBA, U, {4, 4, 4, 4}},
+        {GL_RGB5_A1, GL_RGBA, U, {5, 5, 5, 1}},
+        {GL_RGBA8, GL_RGBA, U, {8, 8, 8, 8}},
+        {GL_RGB10_A2, GL_RGBA, W, {10, 10, 10, 2}},
+        {GL_RGBA12, GL_RGBA, W, {16, 16, 16, 16}},
+        {GL_RGBA16, GL_RGBA, W, {16, 16, 16, 16}},
+        {GL_DEPTH_COMPONENT, GL_DEPTH_COMPONENT, TEXELS_DEPTH, {24}},
+        {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, TEXELS_DEPTH, {16}},
+        {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, TEXELS_DEPTH, {24}},
+        {GL_DEPTH_COMPONENT32, GL_DEPTH_COMPONENT, TEXELS_DEPTH, {32}},
+        {GL_COMPRESSED_ALPHA, GL_ALPHA, U, {0, 0, 0, 8}},
+        {GL_COMPRESSED_LUMINANCE, GL_LUMINANCE, U, {8}},
+        {GL_COMPRESSED_LUMINANCE_ALPHA, GL_LUMINANCE_ALPHA, U, {8, 0, 0, 8}},
+        {GL_COMPRESSED_INTENSITY, GL_INTENSITY, U, {8}},
+        {GL_COMPRESSED_RGB, GL_RGB, U, {8, 8, 8}},
+        {GL_COMPRESSED_RGBA, GL_RGBA, U, {8, 8, 8, 8}},
+};
+
+const struct texture_format *fgl_texture_format(GLenum internal_format)
+{
+    for (size_t i = 0; i < FGL_COUNTOF(formats); i++)
+        if (formats[i].internal_format == internal_format)
+            return &formats[i];
+    return NULL;
+}

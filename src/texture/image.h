@@ -1,0 +1,35 @@
+/* The texels of an image: room for them, and quantising what comes (GL 1.5, 3.8.1 "Texture Image Specification"). Layer 2. */
+#ifndef FGL_TEXTURE_IMAGE_H
+#define FGL_TEXTURE_IMAGE_H
+
+#include "texture/format.h"
+
+/* What an image is to be: sizes with the border, as given. */
+struct image_shape {
+    GLenum internal_format;
+    int width, height, depth, border;
+};
+
+/* Makes the image one of the given shape, in place of what it was; its texels are not set. No texels are kept for `proxy`. Returns false
+ * when memory is short or the size overflows; the image is then unchanged. */
+bool fgl_texture_image_define(struct texture_image *image, enum texture_target target, const struct image_shape *shape,
+                              bool proxy);
+/* No image. */
+void fgl_texture_image_clear(struct texture_image *image);
+
+static inline size_t fgl_texel_index(const struct texture_image *image, int x, int y, int z)
+{
+    return ((size_t)z * (size_t)image->height + (size_t)y) * (size_t)image->width + (size_t)x;
+}
+
+/* Stores n texels from (x, y, z) on. color: four planes, red to alpha; from_bytes: they came as v / 255. OSMesa rule: bytes get
+ * more bits by repeating theirs. */
+void fgl_texture_store_color(struct texture_image *image, int x, int y, int z, int n, const float *const color[4],
+                             bool from_bytes);
+void fgl_texture_store_depth(struct texture_image *image, int x, int y, int z, int n, const float *depth);
+
+/* n texels as colours, four planes: what drawing would see of them, but formats of less than 8 bits with all their precision (GL 1.5, 6.1.4
+ * "Texture Queries", table 6.1: luminance and intensity are red alone). */
+void fgl_texture_load_color(const struct texture_image *image, int x, int y, int z, int n, float *const color[4]);
+
+#endif
