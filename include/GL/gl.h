@@ -89,6 +89,8 @@ typedef double GLdouble;
 typedef double GLclampd;        /* clamped to [0,1] when it is stored */
 typedef ptrdiff_t GLintptr;     /* a byte offset into a buffer object (1.5) */
 typedef ptrdiff_t GLsizeiptr;   /* a size in bytes of a buffer object (1.5) */
+typedef GLintptr GLintptrARB;
+typedef GLsizeiptr GLsizeiptrARB;
 
 #define GL_FALSE                                   0
 #define GL_TRUE                                    1

@@ -451,6 +451,45 @@ typedef void (APIENTRYP PFNGLWINDOWPOS3SARBPROC)(GLshort x, GLshort y, GLshort z
 typedef void (APIENTRYP PFNGLWINDOWPOS3SVARBPROC)(const GLshort *v);
 #endif
 
+/* The same under its first name; without the forms of four coordinates. */
+#ifndef GL_MESA_window_pos
+#define GL_MESA_window_pos 1
+#ifdef GL_GLEXT_PROTOTYPES
+GLAPI void GLAPIENTRY glWindowPos2dMESA(GLdouble x, GLdouble y);
+GLAPI void GLAPIENTRY glWindowPos2dvMESA(const GLdouble *v);
+GLAPI void GLAPIENTRY glWindowPos2fMESA(GLfloat x, GLfloat y);
+GLAPI void GLAPIENTRY glWindowPos2fvMESA(const GLfloat *v);
+GLAPI void GLAPIENTRY glWindowPos2iMESA(GLint x, GLint y);
+GLAPI void GLAPIENTRY glWindowPos2ivMESA(const GLint *v);
+GLAPI void GLAPIENTRY glWindowPos2sMESA(GLshort x, GLshort y);
+GLAPI void GLAPIENTRY glWindowPos2svMESA(const GLshort *v);
+GLAPI void GLAPIENTRY glWindowPos3dMESA(GLdouble x, GLdouble y, GLdouble z);
+GLAPI void GLAPIENTRY glWindowPos3dvMESA(const GLdouble *v);
+GLAPI void GLAPIENTRY glWindowPos3fMESA(GLfloat x, GLfloat y, GLfloat z);
+GLAPI void GLAPIENTRY glWindowPos3fvMESA(const GLfloat *v);
+GLAPI void GLAPIENTRY glWindowPos3iMESA(GLint x, GLint y, GLint z);
+GLAPI void GLAPIENTRY glWindowPos3ivMESA(const GLint *v);
+GLAPI void GLAPIENTRY glWindowPos3sMESA(GLshort x, GLshort y, GLshort z);
+GLAPI void GLAPIENTRY glWindowPos3svMESA(const GLshort *v);
+#endif
+typedef void (APIENTRYP PFNGLWINDOWPOS2DMESAPROC)(GLdouble x, GLdouble y);
+typedef void (APIENTRYP PFNGLWINDOWPOS2DVMESAPROC)(const GLdouble *v);
+typedef void (APIENTRYP PFNGLWINDOWPOS2FMESAPROC)(GLfloat x, GLfloat y);
+typedef void (APIENTRYP PFNGLWINDOWPOS2FVMESAPROC)(const GLfloat *v);
+typedef void (APIENTRYP PFNGLWINDOWPOS2IMESAPROC)(GLint x, GLint y);
+typedef void (APIENTRYP PFNGLWINDOWPOS2IVMESAPROC)(const GLint *v);
+typedef void (APIENTRYP PFNGLWINDOWPOS2SMESAPROC)(GLshort x, GLshort y);
+typedef void (APIENTRYP PFNGLWINDOWPOS2SVMESAPROC)(const GLshort *v);
+typedef void (APIENTRYP PFNGLWINDOWPOS3DMESAPROC)(GLdouble x, GLdouble y, GLdouble z);
+typedef void (APIENTRYP PFNGLWINDOWPOS3DVMESAPROC)(const GLdouble *v);
+typedef void (APIENTRYP PFNGLWINDOWPOS3FMESAPROC)(GLfloat x, GLfloat y, GLfloat z);
+typedef void (APIENTRYP PFNGLWINDOWPOS3FVMESAPROC)(const GLfloat *v);
+typedef void (APIENTRYP PFNGLWINDOWPOS3IMESAPROC)(GLint x, GLint y, GLint z);
+typedef void (APIENTRYP PFNGLWINDOWPOS3IVMESAPROC)(const GLint *v);
+typedef void (APIENTRYP PFNGLWINDOWPOS3SMESAPROC)(GLshort x, GLshort y, GLshort z);
+typedef void (APIENTRYP PFNGLWINDOWPOS3SVMESAPROC)(const GLshort *v);
+#endif
+
 /* Pixels with blue first, as in OpenGL 1.2. */
 #ifndef GL_EXT_bgra
 #define GL_EXT_bgra 1
@@ -575,6 +614,347 @@ typedef void (APIENTRYP PFNGLVERTEXPOINTEREXTPROC)(GLint size, GLenum type, GLsi
 #endif
 
 
+/* Samples per pixel, as in OpenGL 1.3: there is one. */
+#ifndef GL_ARB_multisample
+#define GL_ARB_multisample 1
+#define GL_MULTISAMPLE_ARB                        0x809D
+#define GL_SAMPLE_ALPHA_TO_COVERAGE_ARB           0x809E
+#define GL_SAMPLE_ALPHA_TO_ONE_ARB                0x809F
+#define GL_SAMPLE_COVERAGE_ARB                    0x80A0
+#define GL_SAMPLE_BUFFERS_ARB                     0x80A8
+#define GL_SAMPLES_ARB                            0x80A9
+#define GL_SAMPLE_COVERAGE_VALUE_ARB              0x80AA
+#define GL_SAMPLE_COVERAGE_INVERT_ARB             0x80AB
+#define GL_MULTISAMPLE_BIT_ARB                    0x20000000
+#ifdef GL_GLEXT_PROTOTYPES
+GLAPI void GLAPIENTRY glSampleCoverageARB(GLfloat value, GLboolean invert);
+#endif
+typedef void (APIENTRYP PFNGLSAMPLECOVERAGEARBPROC)(GLfloat value, GLboolean invert);
+#endif
+
+/* Matrices given by rows, as in OpenGL 1.3. */
+#ifndef GL_ARB_transpose_matrix
+#define GL_ARB_transpose_matrix 1
+#define GL_TRANSPOSE_MODELVIEW_MATRIX_ARB         0x84E3
+#define GL_TRANSPOSE_PROJECTION_MATRIX_ARB        0x84E4
+#define GL_TRANSPOSE_TEXTURE_MATRIX_ARB           0x84E5
+#define GL_TRANSPOSE_COLOR_MATRIX_ARB             0x84E6
+#ifdef GL_GLEXT_PROTOTYPES
+GLAPI void GLAPIENTRY glLoadTransposeMatrixfARB(const GLfloat *m);
+GLAPI void GLAPIENTRY glLoadTransposeMatrixdARB(const GLdouble *m);
+GLAPI void GLAPIENTRY glMultTransposeMatrixfARB(const GLfloat *m);
+GLAPI void GLAPIENTRY glMultTransposeMatrixdARB(const GLdouble *m);
+#endif
+typedef void (APIENTRYP PFNGLLOADTRANSPOSEMATRIXFARBPROC)(const GLfloat *m);
+typedef void (APIENTRYP PFNGLLOADTRANSPOSEMATRIXDARBPROC)(const GLdouble *m);
+typedef void (APIENTRYP PFNGLMULTTRANSPOSEMATRIXFARBPROC)(const GLfloat *m);
+typedef void (APIENTRYP PFNGLMULTTRANSPOSEMATRIXDARBPROC)(const GLdouble *m);
+#endif
+
+/* Points whose size depends on their distance, as in OpenGL 1.4. */
+#ifndef GL_ARB_point_parameters
+#define GL_ARB_point_parameters 1
+#define GL_POINT_SIZE_MIN_ARB                     0x8126
+#define GL_POINT_SIZE_MAX_ARB                     0x8127
+#define GL_POINT_FADE_THRESHOLD_SIZE_ARB          0x8128
+#define GL_POINT_DISTANCE_ATTENUATION_ARB         0x8129
+#ifdef GL_GLEXT_PROTOTYPES
+GLAPI void GLAPIENTRY glPointParameterfARB(GLenum pname, GLfloat param);
+GLAPI void GLAPIENTRY glPointParameterfvARB(GLenum pname, const GLfloat *params);
+#endif
+typedef void (APIENTRYP PFNGLPOINTPARAMETERFARBPROC)(GLenum pname, GLfloat param);
+typedef void (APIENTRYP PFNGLPOINTPARAMETERFVARBPROC)(GLenum pname, const GLfloat *params);
+#endif
+
+#ifndef GL_EXT_point_parameters
+#define GL_EXT_point_parameters 1
+#define GL_POINT_SIZE_MIN_EXT                     0x8126
+#define GL_POINT_SIZE_MAX_EXT                     0x8127
+#define GL_POINT_FADE_THRESHOLD_SIZE_EXT          0x8128
+#define GL_DISTANCE_ATTENUATION_EXT               0x8129
+#ifdef GL_GLEXT_PROTOTYPES
+GLAPI void GLAPIENTRY glPointParameterfEXT(GLenum pname, GLfloat param);
+GLAPI void GLAPIENTRY glPointParameterfvEXT(GLenum pname, const GLfloat *params);
+#endif
+typedef void (APIENTRYP PFNGLPOINTPARAMETERFEXTPROC)(GLenum pname, GLfloat param);
+typedef void (APIENTRYP PFNGLPOINTPARAMETERFVEXTPROC)(GLenum pname, const GLfloat *params);
+#endif
+
+/* Buffer objects, as in OpenGL 1.5. */
+#ifndef GL_ARB_vertex_buffer_object
+#define GL_ARB_vertex_buffer_object 1
+#define GL_BUFFER_SIZE_ARB                        0x8764
+#define GL_BUFFER_USAGE_ARB                       0x8765
+#define GL_ARRAY_BUFFER_ARB                       0x8892
+#define GL_ELEMENT_ARRAY_BUFFER_ARB               0x8893
+#define GL_ARRAY_BUFFER_BINDING_ARB               0x8894
+#define GL_ELEMENT_ARRAY_BUFFER_BINDING_ARB       0x8895
+#define GL_VERTEX_ARRAY_BUFFER_BINDING_ARB        0x8896
+#define GL_NORMAL_ARRAY_BUFFER_BINDING_ARB        0x8897
+#define GL_COLOR_ARRAY_BUFFER_BINDING_ARB         0x8898
+#define GL_INDEX_ARRAY_BUFFER_BINDING_ARB         0x8899
+#define GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING_ARB 0x889A
+#define GL_EDGE_FLAG_ARRAY_BUFFER_BINDING_ARB     0x889B
+#define GL_SECONDARY_COLOR_ARRAY_BUFFER_BINDING_ARB 0x889C
+#define GL_FOG_COORDINATE_ARRAY_BUFFER_BINDING_ARB 0x889D
+#define GL_WEIGHT_ARRAY_BUFFER_BINDING_ARB        0x889E
+#define GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING_ARB 0x889F
+#define GL_READ_ONLY_ARB                          0x88B8
+#define GL_WRITE_ONLY_ARB                         0x88B9
+#define GL_READ_WRITE_ARB                         0x88BA
+#define GL_BUFFER_ACCESS_ARB                      0x88BB
+#define GL_BUFFER_MAPPED_ARB                      0x88BC
+#define GL_BUFFER_MAP_POINTER_ARB                 0x88BD
+#define GL_STREAM_DRAW_ARB                        0x88E0
+#define GL_STREAM_READ_ARB                        0x88E1
+#define GL_STREAM_COPY_ARB                        0x88E2
+#define GL_STATIC_DRAW_ARB                        0x88E4
+#define GL_STATIC_READ_ARB                        0x88E5
+#define GL_STATIC_COPY_ARB                        0x88E6
+#define GL_DYNAMIC_DRAW_ARB                       0x88E8
+#define GL_DYNAMIC_READ_ARB                       0x88E9
+#define GL_DYNAMIC_COPY_ARB                       0x88EA
+#ifdef GL_GLEXT_PROTOTYPES
+GLAPI void GLAPIENTRY glBindBufferARB(GLenum target, GLuint buffer);
+GLAPI void GLAPIENTRY glDeleteBuffersARB(GLsizei n, const GLuint *buffers);
+GLAPI void GLAPIENTRY glGenBuffersARB(GLsizei n, GLuint *buffers);
+GLAPI GLboolean GLAPIENTRY glIsBufferARB(GLuint buffer);
+GLAPI void GLAPIENTRY glBufferDataARB(GLenum target, GLsizeiptr size, const void *data, GLenum usage);
+GLAPI void GLAPIENTRY glBufferSubDataARB(GLenum target, GLintptr offset, GLsizeiptr size, const void *data);
+GLAPI void GLAPIENTRY glGetBufferSubDataARB(GLenum target, GLintptr offset, GLsizeiptr size, void *data);
+GLAPI void *GLAPIENTRY glMapBufferARB(GLenum target, GLenum access);
+GLAPI GLboolean GLAPIENTRY glUnmapBufferARB(GLenum target);
+GLAPI void GLAPIENTRY glGetBufferParameterivARB(GLenum target, GLenum pname, GLint *params);
+GLAPI void GLAPIENTRY glGetBufferPointervARB(GLenum target, GLenum pname, void **params);
+#endif
+typedef void (APIENTRYP PFNGLBINDBUFFERARBPROC)(GLenum target, GLuint buffer);
+typedef void (APIENTRYP PFNGLDELETEBUFFERSARBPROC)(GLsizei n, const GLuint *buffers);
+typedef void (APIENTRYP PFNGLGENBUFFERSARBPROC)(GLsizei n, GLuint *buffers);
+typedef GLboolean (APIENTRYP PFNGLISBUFFERARBPROC)(GLuint buffer);
+typedef void (APIENTRYP PFNGLBUFFERDATAARBPROC)(GLenum target, GLsizeiptr size, const void *data,
+        GLenum usage);
+typedef void (APIENTRYP PFNGLBUFFERSUBDATAARBPROC)(GLenum target, GLintptr offset, GLsizeiptr size,
+        const void *data);
+typedef void (APIENTRYP PFNGLGETBUFFERSUBDATAARBPROC)(GLenum target, GLintptr offset, GLsizeiptr size,
+        void *data);
+typedef void *(APIENTRYP PFNGLMAPBUFFERARBPROC)(GLenum target, GLenum access);
+typedef GLboolean (APIENTRYP PFNGLUNMAPBUFFERARBPROC)(GLenum target);
+typedef void (APIENTRYP PFNGLGETBUFFERPARAMETERIVARBPROC)(GLenum target, GLenum pname, GLint *params);
+typedef void (APIENTRYP PFNGLGETBUFFERPOINTERVARBPROC)(GLenum target, GLenum pname, void **params);
+#endif
+
+/* Counts of samples that pass the depth test, as in OpenGL 1.5. */
+#ifndef GL_ARB_occlusion_query
+#define GL_ARB_occlusion_query 1
+#define GL_QUERY_COUNTER_BITS_ARB                 0x8864
+#define GL_CURRENT_QUERY_ARB                      0x8865
+#define GL_QUERY_RESULT_ARB                       0x8866
+#define GL_QUERY_RESULT_AVAILABLE_ARB             0x8867
+#define GL_SAMPLES_PASSED_ARB                     0x8914
+#ifdef GL_GLEXT_PROTOTYPES
+GLAPI void GLAPIENTRY glGenQueriesARB(GLsizei n, GLuint *ids);
+GLAPI void GLAPIENTRY glDeleteQueriesARB(GLsizei n, const GLuint *ids);
+GLAPI GLboolean GLAPIENTRY glIsQueryARB(GLuint id);
+GLAPI void GLAPIENTRY glBeginQueryARB(GLenum target, GLuint id);
+GLAPI void GLAPIENTRY glEndQueryARB(GLenum target);
+GLAPI void GLAPIENTRY glGetQueryivARB(GLenum target, GLenum pname, GLint *params);
+GLAPI void GLAPIENTRY glGetQueryObjectivARB(GLuint id, GLenum pname, GLint *params);
+GLAPI void GLAPIENTRY glGetQueryObjectuivARB(GLuint id, GLenum pname, GLuint *params);
+#endif
+typedef void (APIENTRYP PFNGLGENQUERIESARBPROC)(GLsizei n, GLuint *ids);
+typedef void (APIENTRYP PFNGLDELETEQUERIESARBPROC)(GLsizei n, const GLuint *ids);
+typedef GLboolean (APIENTRYP PFNGLISQUERYARBPROC)(GLuint id);
+typedef void (APIENTRYP PFNGLBEGINQUERYARBPROC)(GLenum target, GLuint id);
+typedef void (APIENTRYP PFNGLENDQUERYARBPROC)(GLenum target);
+typedef void (APIENTRYP PFNGLGETQUERYIVARBPROC)(GLenum target, GLenum pname, GLint *params);
+typedef void (APIENTRYP PFNGLGETQUERYOBJECTIVARBPROC)(GLuint id, GLenum pname, GLint *params);
+typedef void (APIENTRYP PFNGLGETQUERYOBJECTUIVARBPROC)(GLuint id, GLenum pname, GLuint *params);
+#endif
+
+/* Pixels with alpha first. */
+#ifndef GL_EXT_abgr
+#define GL_EXT_abgr 1
+#define GL_ABGR_EXT                               0x8000
+#endif
+
+/* A constant color for blending, as in OpenGL 1.4. */
+#ifndef GL_EXT_blend_color
+#define GL_EXT_blend_color 1
+#define GL_CONSTANT_COLOR_EXT                     0x8001
+#define GL_ONE_MINUS_CONSTANT_COLOR_EXT           0x8002
+#define GL_CONSTANT_ALPHA_EXT                     0x8003
+#define GL_ONE_MINUS_CONSTANT_ALPHA_EXT           0x8004
+#define GL_BLEND_COLOR_EXT                        0x8005
+#ifdef GL_GLEXT_PROTOTYPES
+GLAPI void GLAPIENTRY glBlendColorEXT(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha);
+#endif
+typedef void (APIENTRYP PFNGLBLENDCOLOREXTPROC)(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha);
+#endif
+
+/* Other blend equations than the sum, as in OpenGL 1.4. */
+#ifndef GL_EXT_blend_minmax
+#define GL_EXT_blend_minmax 1
+#define GL_MIN_EXT                                0x8007
+#define GL_MAX_EXT                                0x8008
+#define GL_FUNC_ADD_EXT                           0x8006
+#define GL_BLEND_EQUATION_EXT                     0x8009
+#ifdef GL_GLEXT_PROTOTYPES
+GLAPI void GLAPIENTRY glBlendEquationEXT(GLenum mode);
+#endif
+typedef void (APIENTRYP PFNGLBLENDEQUATIONEXTPROC)(GLenum mode);
+#endif
+
+#ifndef GL_EXT_blend_subtract
+#define GL_EXT_blend_subtract 1
+#define GL_FUNC_SUBTRACT_EXT                      0x800A
+#define GL_FUNC_REVERSE_SUBTRACT_EXT              0x800B
+#endif
+
+/* Blend factors of their own for alpha, as in OpenGL 1.4. */
+#ifndef GL_EXT_blend_func_separate
+#define GL_EXT_blend_func_separate 1
+#define GL_BLEND_DST_RGB_EXT                      0x80C8
+#define GL_BLEND_SRC_RGB_EXT                      0x80C9
+#define GL_BLEND_DST_ALPHA_EXT                    0x80CA
+#define GL_BLEND_SRC_ALPHA_EXT                    0x80CB
+#ifdef GL_GLEXT_PROTOTYPES
+GLAPI void GLAPIENTRY glBlendFuncSeparateEXT(GLenum sfactorRGB, GLenum dfactorRGB, GLenum sfactorAlpha,
+        GLenum dfactorAlpha);
+#endif
+typedef void (APIENTRYP PFNGLBLENDFUNCSEPARATEEXTPROC)(GLenum sfactorRGB, GLenum dfactorRGB,
+        GLenum sfactorAlpha, GLenum dfactorAlpha);
+#endif
+
+/* A promise not to change arrays while they are locked. GL_INVALID_VALUE: first < 0 or count <= 0.
+ * GL_INVALID_OPERATION: locked already, or not locked. */
+#ifndef GL_EXT_compiled_vertex_array
+#define GL_EXT_compiled_vertex_array 1
+#define GL_ARRAY_ELEMENT_LOCK_FIRST_EXT           0x81A8
+#define GL_ARRAY_ELEMENT_LOCK_COUNT_EXT           0x81A9
+#ifdef GL_GLEXT_PROTOTYPES
+GLAPI void GLAPIENTRY glLockArraysEXT(GLint first, GLsizei count);
+GLAPI void GLAPIENTRY glUnlockArraysEXT(void);
+#endif
+typedef void (APIENTRYP PFNGLLOCKARRAYSEXTPROC)(GLint first, GLsizei count);
+typedef void (APIENTRYP PFNGLUNLOCKARRAYSEXTPROC)(void);
+#endif
+
+/* Elements in a known range, as in OpenGL 1.2. */
+#ifndef GL_EXT_draw_range_elements
+#define GL_EXT_draw_range_elements 1
+#define GL_MAX_ELEMENTS_VERTICES_EXT              0x80E8
+#define GL_MAX_ELEMENTS_INDICES_EXT               0x80E9
+#ifdef GL_GLEXT_PROTOTYPES
+GLAPI void GLAPIENTRY glDrawRangeElementsEXT(GLenum mode, GLuint start, GLuint end, GLsizei count,
+        GLenum type, const void *indices);
+#endif
+typedef void (APIENTRYP PFNGLDRAWRANGEELEMENTSEXTPROC)(GLenum mode, GLuint start, GLuint end, GLsizei count,
+        GLenum type, const void *indices);
+#endif
+
+/* Fog coordinates of vertices, as in OpenGL 1.4. */
+#ifndef GL_EXT_fog_coord
+#define GL_EXT_fog_coord 1
+#define GL_FOG_COORDINATE_SOURCE_EXT              0x8450
+#define GL_FOG_COORDINATE_EXT                     0x8451
+#define GL_FRAGMENT_DEPTH_EXT                     0x8452
+#define GL_CURRENT_FOG_COORDINATE_EXT             0x8453
+#define GL_FOG_COORDINATE_ARRAY_TYPE_EXT          0x8454
+#define GL_FOG_COORDINATE_ARRAY_STRIDE_EXT        0x8455
+#define GL_FOG_COORDINATE_ARRAY_POINTER_EXT       0x8456
+#define GL_FOG_COORDINATE_ARRAY_EXT               0x8457
+#ifdef GL_GLEXT_PROTOTYPES
+GLAPI void GLAPIENTRY glFogCoordfEXT(GLfloat coord);
+GLAPI void GLAPIENTRY glFogCoordfvEXT(const GLfloat *coord);
+GLAPI void GLAPIENTRY glFogCoorddEXT(GLdouble coord);
+GLAPI void GLAPIENTRY glFogCoorddvEXT(const GLdouble *coord);
+GLAPI void GLAPIENTRY glFogCoordPointerEXT(GLenum type, GLsizei stride, const void *pointer);
+#endif
+typedef void (APIENTRYP PFNGLFOGCOORDFEXTPROC)(GLfloat coord);
+typedef void (APIENTRYP PFNGLFOGCOORDFVEXTPROC)(const GLfloat *coord);
+typedef void (APIENTRYP PFNGLFOGCOORDDEXTPROC)(GLdouble coord);
+typedef void (APIENTRYP PFNGLFOGCOORDDVEXTPROC)(const GLdouble *coord);
+typedef void (APIENTRYP PFNGLFOGCOORDPOINTEREXTPROC)(GLenum type, GLsizei stride, const void *pointer);
+#endif
+
+/* Several draws in one call, as in OpenGL 1.4. */
+#ifndef GL_EXT_multi_draw_arrays
+#define GL_EXT_multi_draw_arrays 1
+#ifdef GL_GLEXT_PROTOTYPES
+GLAPI void GLAPIENTRY glMultiDrawArraysEXT(GLenum mode, const GLint *first, const GLsizei *count,
+        GLsizei primcount);
+GLAPI void GLAPIENTRY glMultiDrawElementsEXT(GLenum mode, const GLsizei *count, GLenum type,
+        const void *const *indices, GLsizei primcount);
+#endif
+typedef void (APIENTRYP PFNGLMULTIDRAWARRAYSEXTPROC)(GLenum mode, const GLint *first, const GLsizei *count,
+        GLsizei primcount);
+typedef void (APIENTRYP PFNGLMULTIDRAWELEMENTSEXTPROC)(GLenum mode, const GLsizei *count, GLenum type,
+        const void *const *indices, GLsizei primcount);
+#endif
+
+/* A color added after texturing, as in OpenGL 1.4. */
+#ifndef GL_EXT_secondary_color
+#define GL_EXT_secondary_color 1
+#define GL_COLOR_SUM_EXT                          0x8458
+#define GL_CURRENT_SECONDARY_COLOR_EXT            0x8459
+#define GL_SECONDARY_COLOR_ARRAY_SIZE_EXT         0x845A
+#define GL_SECONDARY_COLOR_ARRAY_TYPE_EXT         0x845B
+#define GL_SECONDARY_COLOR_ARRAY_STRIDE_EXT       0x845C
+#define GL_SECONDARY_COLOR_ARRAY_POINTER_EXT      0x845D
+#define GL_SECONDARY_COLOR_ARRAY_EXT              0x845E
+#ifdef GL_GLEXT_PROTOTYPES
+GLAPI void GLAPIENTRY glSecondaryColor3bEXT(GLbyte red, GLbyte green, GLbyte blue);
+GLAPI void GLAPIENTRY glSecondaryColor3bvEXT(const GLbyte *v);
+GLAPI void GLAPIENTRY glSecondaryColor3dEXT(GLdouble red, GLdouble green, GLdouble blue);
+GLAPI void GLAPIENTRY glSecondaryColor3dvEXT(const GLdouble *v);
+GLAPI void GLAPIENTRY glSecondaryColor3fEXT(GLfloat red, GLfloat green, GLfloat blue);
+GLAPI void GLAPIENTRY glSecondaryColor3fvEXT(const GLfloat *v);
+GLAPI void GLAPIENTRY glSecondaryColor3iEXT(GLint red, GLint green, GLint blue);
+GLAPI void GLAPIENTRY glSecondaryColor3ivEXT(const GLint *v);
+GLAPI void GLAPIENTRY glSecondaryColor3sEXT(GLshort red, GLshort green, GLshort blue);
+GLAPI void GLAPIENTRY glSecondaryColor3svEXT(const GLshort *v);
+GLAPI void GLAPIENTRY glSecondaryColor3ubEXT(GLubyte red, GLubyte green, GLubyte blue);
+GLAPI void GLAPIENTRY glSecondaryColor3ubvEXT(const GLubyte *v);
+GLAPI void GLAPIENTRY glSecondaryColor3uiEXT(GLuint red, GLuint green, GLuint blue);
+GLAPI void GLAPIENTRY glSecondaryColor3uivEXT(const GLuint *v);
+GLAPI void GLAPIENTRY glSecondaryColor3usEXT(GLushort red, GLushort green, GLushort blue);
+GLAPI void GLAPIENTRY glSecondaryColor3usvEXT(const GLushort *v);
+GLAPI void GLAPIENTRY glSecondaryColorPointerEXT(GLint size, GLenum type, GLsizei stride,
+        const void *pointer);
+#endif
+typedef void (APIENTRYP PFNGLSECONDARYCOLOR3BEXTPROC)(GLbyte red, GLbyte green, GLbyte blue);
+typedef void (APIENTRYP PFNGLSECONDARYCOLOR3BVEXTPROC)(const GLbyte *v);
+typedef void (APIENTRYP PFNGLSECONDARYCOLOR3DEXTPROC)(GLdouble red, GLdouble green, GLdouble blue);
+typedef void (APIENTRYP PFNGLSECONDARYCOLOR3DVEXTPROC)(const GLdouble *v);
+typedef void (APIENTRYP PFNGLSECONDARYCOLOR3FEXTPROC)(GLfloat red, GLfloat green, GLfloat blue);
+typedef void (APIENTRYP PFNGLSECONDARYCOLOR3FVEXTPROC)(const GLfloat *v);
+typedef void (APIENTRYP PFNGLSECONDARYCOLOR3IEXTPROC)(GLint red, GLint green, GLint blue);
+typedef void (APIENTRYP PFNGLSECONDARYCOLOR3IVEXTPROC)(const GLint *v);
+typedef void (APIENTRYP PFNGLSECONDARYCOLOR3SEXTPROC)(GLshort red, GLshort green, GLshort blue);
+typedef void (APIENTRYP PFNGLSECONDARYCOLOR3SVEXTPROC)(const GLshort *v);
+typedef void (APIENTRYP PFNGLSECONDARYCOLOR3UBEXTPROC)(GLubyte red, GLubyte green, GLubyte blue);
+typedef void (APIENTRYP PFNGLSECONDARYCOLOR3UBVEXTPROC)(const GLubyte *v);
+typedef void (APIENTRYP PFNGLSECONDARYCOLOR3UIEXTPROC)(GLuint red, GLuint green, GLuint blue);
+typedef void (APIENTRYP PFNGLSECONDARYCOLOR3UIVEXTPROC)(const GLuint *v);
+typedef void (APIENTRYP PFNGLSECONDARYCOLOR3USEXTPROC)(GLushort red, GLushort green, GLushort blue);
+typedef void (APIENTRYP PFNGLSECONDARYCOLOR3USVEXTPROC)(const GLushort *v);
+typedef void (APIENTRYP PFNGLSECONDARYCOLORPOINTEREXTPROC)(GLint size, GLenum type, GLsizei stride,
+        const void *pointer);
+#endif
+
+/* Stencil operations that wrap around, as in OpenGL 1.4. */
+#ifndef GL_EXT_stencil_wrap
+#define GL_EXT_stencil_wrap 1
+#define GL_INCR_WRAP_EXT                          0x8507
+#define GL_DECR_WRAP_EXT                          0x8508
+#endif
+
+/* Colors as factors of themselves, as in OpenGL 1.4. */
+#ifndef GL_NV_blend_square
+#define GL_NV_blend_square 1
+#endif
+
+
 /* ---- Extensions beyond OpenGL 1.5 ---------------------------------------------------------------------- */
 
 /* Points drawn as textured squares: an enable, and a texture environment of its own (target
@@ -584,6 +964,17 @@ typedef void (APIENTRYP PFNGLVERTEXPOINTEREXTPROC)(GLint size, GLenum type, GLsi
 #define GL_ARB_point_sprite 1
 #define GL_POINT_SPRITE_ARB                        0x8861
 #define GL_COORD_REPLACE_ARB                       0x8862
+#endif
+
+/* A blend equation of its own for alpha. GL_INVALID_ENUM: no blend equation. */
+#ifndef GL_EXT_blend_equation_separate
+#define GL_EXT_blend_equation_separate 1
+#define GL_BLEND_EQUATION_RGB_EXT                 0x8009
+#define GL_BLEND_EQUATION_ALPHA_EXT               0x883D
+#ifdef GL_GLEXT_PROTOTYPES
+GLAPI void GLAPIENTRY glBlendEquationSeparateEXT(GLenum modeRGB, GLenum modeAlpha);
+#endif
+typedef void (APIENTRYP PFNGLBLENDEQUATIONSEPARATEEXTPROC)(GLenum modeRGB, GLenum modeAlpha);
 #endif
 
 /* Depth and stencil of one pixel in one 32-bit word: depth in the upper 24 bits, stencil in the lower 8. */

@@ -1,5 +1,6 @@
 /* Where vertex arrays lie (GL 1.5, 2.8 "Vertex Arrays"). Client state: never compiled into lists, and never
  * read here. */
+#include "api/buffer.h"
 #include "api/command.h"
 #include "api/errors.h"
 
@@ -30,7 +31,7 @@ static unsigned type_bit(GLenum type)
     }
 }
 
-static void place(struct context *ctx, enum fgl_attr attr, unsigned types, GLint size, GLenum type,
+static void place(struct context *ctx, int attr, unsigned types, GLint size, GLenum type,
                   GLsizei stride, const void *pointer)
 {
     struct vertex_array *a = &ctx->client.arrays.array[attr];
@@ -41,6 +42,7 @@ static void place(struct context *ctx, enum fgl_attr attr, unsigned types, GLint
     a->type = type;
     a->stride = stride;
     a->pointer = pointer;
+    fgl_buffer_refer(&a->buffer, ctx->client.arrays.array_buffer);
 }
 
 void fgl_exec_VertexPointer(struct context *ctx, GLint size, GLenum type, GLsizei stride,
@@ -72,12 +74,26 @@ void fgl_exec_TexCoordPointer(struct context *ctx, GLint size, GLenum type, GLsi
                               const GLvoid *pointer)
 {
     RETURN_ERROR_IF(ctx, size < 1 || size > 4, GL_INVALID_VALUE);
-    place(ctx, ATTR_TEX0, SHORT | INT | FLOAT | DOUBLE, size, type, stride, pointer);
+    place(ctx, ATTR_TEX0 + ctx->client.arrays.client_active_texture, SHORT | INT | FLOAT | DOUBLE, size, type,
+          stride, pointer);
 }
 
 void fgl_exec_EdgeFlagPointer(struct context *ctx, GLsizei stride, const GLvoid *pointer)
 {
     place(ctx, ATTR_EDGE_FLAG, UBYTE, 1, GL_UNSIGNED_BYTE, stride, pointer);
+}
+
+void fgl_exec_FogCoordPointer(struct context *ctx, GLenum type, GLsizei stride, const GLvoid *pointer)
+{
+    place(ctx, ATTR_FOG_COORD, FLOAT | DOUBLE, 1, type, stride, pointer);
+}
+
+void fgl_exec_SecondaryColorPointer(struct context *ctx, GLint size, GLenum type, GLsizei stride,
+                                    const GLvoid *pointer)
+{
+    RETURN_ERROR_IF(ctx, size != 3, GL_INVALID_VALUE);
+    place(ctx, ATTR_SECONDARY_COLOR, BYTE | UBYTE | SHORT | USHORT | INT | UINT | FLOAT | DOUBLE, size, type, stride,
+          pointer);
 }
 
 static struct vertex_array *find_array(struct context *ctx, GLenum array)
@@ -89,6 +105,8 @@ static struct vertex_array *find_array(struct context *ctx, GLenum array)
     case GL_INDEX_ARRAY: return &ctx->client.arrays.array[ATTR_INDEX];
     case GL_TEXTURE_COORD_ARRAY:
         return &ctx->client.arrays.array[ATTR_TEX0 + ctx->client.arrays.client_active_texture];
+    case GL_FOG_COORDINATE_ARRAY: return &ctx->client.arrays.array[ATTR_FOG_COORD];
+    case GL_SECONDARY_COLOR_ARRAY: return &ctx->client.arrays.array[ATTR_SECONDARY_COLOR];
     case GL_EDGE_FLAG_ARRAY: return &ctx->client.arrays.array[ATTR_EDGE_FLAG];
     default: return NULL;
     }
@@ -108,6 +126,21 @@ void fgl_exec_EnableClientState(struct context *ctx, GLenum array)
 void fgl_exec_DisableClientState(struct context *ctx, GLenum array)
 {
     enable(ctx, array, false);
+}
+
+/* GL_EXT_compiled_vertex_array: a promise, which changes nothing here. */
+void fgl_exec_LockArraysEXT(struct context *ctx, GLint first, GLsizei count)
+{
+    RETURN_ERROR_IF(ctx, first < 0 || count <= 0, GL_INVALID_VALUE);
+    RETURN_ERROR_IF(ctx, ctx->client.arrays.lock_count, GL_INVALID_OPERATION);
+    ctx->client.arrays.lock_first = first;
+    ctx->client.arrays.lock_count = count;
+}
+
+void fgl_exec_UnlockArraysEXT(struct context *ctx)
+{
+    RETURN_ERROR_IF(ctx, !ctx->client.arrays.lock_count, GL_INVALID_OPERATION);
+    ctx->client.arrays.lock_first = ctx->client.arrays.lock_count = 0;
 }
 
 /* GL 1.5, table 2.5 "Variables that direct the execution of InterleavedArrays": components (0: array
@@ -142,11 +175,14 @@ static void interleave(struct context *ctx, GLenum array, int size, GLenum type,
 {
     struct vertex_array *a = find_array(ctx, array);
 
-    if (size)
-        *a = (struct vertex_array){
-                .pointer = pointer, .type = type, .size = size, .stride = stride, .enabled = true};
-    else
-        a->enabled = false;
+    a->enabled = size != 0;
+    if (!size)
+        return;
+    a->size = size;
+    a->type = type;
+    a->stride = stride;
+    a->pointer = pointer;
+    fgl_buffer_refer(&a->buffer, ctx->client.arrays.array_buffer);
 }
 
 void fgl_exec_InterleavedArrays(struct context *ctx, GLenum format, GLsizei stride, const GLvoid *pointer)

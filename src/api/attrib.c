@@ -1,5 +1,8 @@
 /* Attribute stacks (GL 1.5, 6.1.14 "Saving and Restoring State"): a group is a struct of the state, saved and
  * restored whole. GL_ENABLE_BIT alone cuts across the groups: it is every capability of state_table.def. */
+#include "api/attrib.h"
+
+#include "api/buffer.h"
 #include "api/command.h"
 #include "api/enable.h"
 #include "api/material.h"
@@ -38,6 +41,7 @@ static const struct group groups[] = {
         GROUP(GL_HINT_BIT, DIRTY_RASTER, hint),
         GROUP(GL_EVAL_BIT, DIRTY_CURRENT, eval),
         GROUP(GL_LIST_BIT, 0, list),
+        GROUP(GL_MULTISAMPLE_BIT, DIRTY_RASTER, multisample),
         GROUP(GL_SCISSOR_BIT, DIRTY_SCISSOR, scissor),
 };
 
@@ -84,7 +88,7 @@ static void restore_enables(struct context *ctx, const struct server_state *save
     const struct state_row *row;
 
     for (int i = 0; (row = fgl_state_row_at(i)) != NULL; i++) {
-        for (int unit = 0; row->dirty && unit < (row->per_unit ? FGL_MAX_TEXTURE_UNITS : 1); unit++) {
+        for (int unit = 0; row->dirty && unit < (row->unit == UNIT_SERVER ? FGL_MAX_TEXTURE_UNITS : 1); unit++) {
             ctx->s.texture.active_texture = unit;
             fgl_enable_set(ctx, row, fgl_state_saved_flag(row, saved, ctx));
         }
@@ -127,6 +131,8 @@ void fgl_exec_PushClientAttrib(struct context *ctx, GLbitfield mask)
     struct client_attrib_entry *e = &ctx->client_attrib_stack[ctx->client_attrib_depth++];
     e->mask = mask;
     e->state = ctx->client;
+    if (mask & GL_CLIENT_VERTEX_ARRAY_BIT)
+        fgl_buffer_retain_arrays(&e->state.arrays);
 }
 
 void fgl_exec_PopClientAttrib(struct context *ctx)
@@ -138,6 +144,17 @@ void fgl_exec_PopClientAttrib(struct context *ctx)
         ctx->client.pack = e->state.pack;
         ctx->client.unpack = e->state.unpack;
     }
-    if (e->mask & GL_CLIENT_VERTEX_ARRAY_BIT)
+    if (e->mask & GL_CLIENT_VERTEX_ARRAY_BIT) {
+        fgl_buffer_release_arrays(&ctx->client.arrays);
         ctx->client.arrays = e->state.arrays;
+    }
+}
+
+void fgl_client_attrib_destroy(struct context *ctx)
+{
+    for (int i = 0; i < ctx->client_attrib_depth; i++)
+        if (ctx->client_attrib_stack[i].mask & GL_CLIENT_VERTEX_ARRAY_BIT)
+            fgl_buffer_release_arrays(&ctx->client_attrib_stack[i].state.arrays);
+    fgl_buffer_release_arrays(&ctx->client.arrays);
+    free(ctx->client_attrib_stack);
 }

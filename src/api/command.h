@@ -9,6 +9,7 @@
 int fgl_count_light(GLenum pname);
 int fgl_count_light_model(GLenum pname);
 int fgl_count_fog(GLenum pname);
+int fgl_count_point(GLenum pname);
 int fgl_count_texture(GLenum pname);
 int fgl_count_texture_env(GLenum pname);
 int fgl_count_texgen(GLenum pname);
@@ -22,6 +23,9 @@ int fgl_count_pixel_map(GLsizei mapsize);
 #define CMD_GET(ret, name, ...) ret fgl_exec_##name(struct context *ctx, FGL_LIST(FGL_PARAM, __VA_ARGS__));
 #define CMD_GET0(ret, name) ret fgl_exec_##name(struct context *ctx);
 #define CMD_HAND(name)
+#define CMD_ALIAS(name, ...)
+#define CMD_ALIAS0(name, ...)
+#define CMD_ALIAS_GET(ret, name, ...)
 #include "api/command.def"
 
 enum fgl_opcode {
@@ -49,6 +53,9 @@ enum fgl_opcode {
 #define CMD_GET(ret, name, ...)
 #define CMD_GET0(ret, name)
 #define CMD_HAND(name)
+#define CMD_ALIAS(name, ...)
+#define CMD_ALIAS0(name, ...)
+#define CMD_ALIAS_GET(ret, name, ...)
 #include "api/command.def"
     OP_COUNT
 };
@@ -66,6 +73,9 @@ enum fgl_opcode {
 #define CMD_GET(ret, name, ...)
 #define CMD_GET0(ret, name)
 #define CMD_HAND(name)
+#define CMD_ALIAS(name, ...)
+#define CMD_ALIAS0(name, ...)
+#define CMD_ALIAS_GET(ret, name, ...)
 #include "api/command.def"
 
 #endif

@@ -1,77 +1,15 @@
-/* Drawing from vertex arrays (GL 1.5, 2.8 "Vertex Arrays"): DrawArrays, DrawElements, ArrayElement. */
-#include "api/convert.h"
+/* Drawing from vertex arrays (GL 1.5, 2.8 "Vertex Arrays", 2.9.2 "Array Indices in Buffer Objects"). */
+#include "api/array_source.h"
+#include "api/buffer.h"
 #include "api/errors.h"
 #include "api/immediate.h"
 #include "api/list.h"
 #include "pipeline/pipeline.h"
 
 #include <stdlib.h>
-#include <string.h>
 
-static int type_bytes(GLenum type)
-{
-    switch (type) {
-    case GL_BYTE: case GL_UNSIGNED_BYTE: return 1;
-    case GL_SHORT: case GL_UNSIGNED_SHORT: return 2;
-    case GL_DOUBLE: return 8;
-    default: return 4;
-    }
-}
-
-/* The enabled arrays as a source. */
-static void array_source(const struct context *ctx, struct vertex_source *source)
-{
-    source->varying = 0;
-    source->compiled = false;
-    source->arrays = true;
-    for (int a = 0; a < ATTR_MATERIAL; a++) {
-        const struct vertex_array *v = &ctx->client.arrays.array[a];
-        if (!v->enabled)
-            continue;
-        source->varying |= 1u << a;
-        source->attr[a] = (struct attr_source){v->pointer, v->type, v->size, v->stride ? v->stride : v->size * type_bytes(v->type)};
-    }
-}
-
-/* OSMesa rule: an element that is no draw's is converted as glColor and glNormal convert. */
-static void convert_as_command(const struct attr_source *a, uint32_t i, float v[4])
-{
-#define CONVERT(T, f)                                                                                        \
-    for (int k = 0; k < a->size; k++) {                                                                      \
-        T c;                                                                                                 \
-        memcpy(&c, from + (size_t)k * sizeof c, sizeof c);                                                   \
-        v[k] = f(c);                                                                                         \
-    }                                                                                                        \
-    break
-    const char *from = (const char *)a->pointer + (size_t)i * (size_t)a->stride;
-    switch (a->type) {
-    case GL_BYTE: CONVERT(GLbyte, fgl_norm_b);
-    case GL_SHORT: CONVERT(GLshort, fgl_norm_s);
-    case GL_INT: CONVERT(GLint, fgl_norm_i);
-    case GL_UNSIGNED_BYTE: CONVERT(GLubyte, fgl_norm_ub);
-    case GL_UNSIGNED_SHORT: CONVERT(GLushort, fgl_norm_us);
-    case GL_UNSIGNED_INT: CONVERT(GLuint, fgl_norm_ui);
-    default: break;
-    }
-#undef CONVERT
-}
-
-/* One element of every enabled array through the commands of immediate mode, the position last. */
-static void array_element(struct context *ctx, const struct vertex_source *source, uint32_t i, bool drawn)
-{
-    float v[4];
-    for (int a = ATTR_COUNT - 1; a >= 0; a--) {
-        if (!(source->varying & (1u << a)))
-            continue;
-        fgl_fetch_one(&source->attr[a], a, i, v);
-        if (!drawn && (a == ATTR_COLOR || a == ATTR_SECONDARY_COLOR || a == ATTR_NORMAL))
-            convert_as_command(&source->attr[a], i, v);
-        if (a == ATTR_POSITION)
-            fgl_vertex(ctx, source->attr[a].size, v);
-        else
-            fgl_attr_set(ctx, (enum fgl_attr)a, source->attr[a].size, v);
-    }
-}
+/* Vertices beyond the end of all arrays that a draw may have and still be drawn: they are zeros, as many as anyone asks for. */
+enum { MAX_BEYOND = 1 << 16 };
 
 void GLAPIENTRY glArrayElement(GLint i)
 {
@@ -79,9 +17,10 @@ void GLAPIENTRY glArrayElement(GLint i)
     if (!ctx)
         return;
     RETURN_ERROR_IF(ctx, i < 0, GL_INVALID_VALUE);
+    RETURN_ERROR_IF(ctx, fgl_arrays_mapped(ctx), GL_INVALID_OPERATION);
     struct vertex_source source;
-    array_source(ctx, &source);
-    array_element(ctx, &source, (uint32_t)i, false);
+    fgl_array_source(ctx, &source);
+    fgl_array_element(ctx, &source, (uint32_t)i, false);
 }
 
 static uint32_t element(GLenum type, const void *indices, int i)
@@ -97,16 +36,16 @@ static uint32_t element(GLenum type, const void *indices, int i)
 static void compile_elements(struct context *ctx, GLenum mode, int first, int count, GLenum type, const void *indices)
 {
     struct vertex_source source;
-    array_source(ctx, &source);
+    fgl_array_source(ctx, &source);
     if (!(source.varying & (1u << ATTR_POSITION)))
         return;
     fgl_begin(ctx, mode);
     for (int i = 0; i < count; i++)
-        array_element(ctx, &source, indices ? element(type, indices, i) : (uint32_t)(first + i), false);
+        fgl_array_element(ctx, &source, indices ? element(type, indices, i) : (uint32_t)(first + i), false);
     fgl_end(ctx);
 }
 
-/* Errors of both draws; false when one was raised. */
+/* Errors of all draws; false when one was raised. */
 static bool check_draw(struct context *ctx, GLenum mode, GLsizei count)
 {
     if (ctx->vertices->mode <= GL_POLYGON)
@@ -115,9 +54,27 @@ static bool check_draw(struct context *ctx, GLenum mode, GLsizei count)
         fgl_command_error(ctx, GL_INVALID_ENUM);
     else if (count < 0)
         fgl_command_error(ctx, GL_INVALID_VALUE);
+    else if (fgl_arrays_mapped(ctx))
+        fgl_command_error(ctx, GL_INVALID_OPERATION);
     else
         return true;
     return false;
+}
+
+static void draw_arrays(struct context *ctx, GLenum mode, GLint first, GLsizei count)
+{
+    struct vertex_source source;
+    fgl_array_source(ctx, &source);
+    const uint32_t last = (uint32_t)first + (uint32_t)count - 1, present = fgl_array_source_count(&source);
+    if (count == 0 || (last >= present && last - present >= MAX_BEYOND))
+        return;
+    if (ctx->compiling) {
+        compile_elements(ctx, mode, first, count, 0, NULL);
+        return;
+    }
+    fgl_flush_all(ctx);
+    const struct draw_prim prim = {mode, first, count};
+    fgl_draw(ctx, &source, &prim, 1, NULL, (uint32_t)first, last);
 }
 
 void GLAPIENTRY glDrawArrays(GLenum mode, GLint first, GLsizei count)
@@ -125,22 +82,28 @@ void GLAPIENTRY glDrawArrays(GLenum mode, GLint first, GLsizei count)
     struct context *ctx = fgl_current;
     if (!ctx || !check_draw(ctx, mode, count))
         return;
-    if (first < 0) {
+    if (first < 0)
         fgl_command_error(ctx, GL_INVALID_VALUE);
-        return;
-    }
-    if (count == 0)
-        return;
-    if (ctx->compiling) {
-        compile_elements(ctx, mode, first, count, 0, NULL);
-        return;
-    }
-    fgl_flush_all(ctx);
-    struct vertex_source source;
-    array_source(ctx, &source);
-    const struct draw_prim prim = {mode, first, count};
-    fgl_draw(ctx, &source, &prim, 1, NULL, (uint32_t)first, (uint32_t)(first + count - 1));
+    else
+        draw_arrays(ctx, mode, first, count);
 }
+
+void GLAPIENTRY glMultiDrawArrays(GLenum mode, const GLint *first, const GLsizei *count, GLsizei drawcount)
+{
+    struct context *ctx = fgl_current;
+    if (!ctx || !check_draw(ctx, mode, drawcount))
+        return;
+    for (GLsizei i = 0; i < drawcount; i++) {
+        if (first[i] < 0 || count[i] < 0) { /* nothing is drawn */
+            fgl_command_error(ctx, GL_INVALID_VALUE);
+            return;
+        }
+    }
+    for (GLsizei i = 0; i < drawcount; i++)
+        draw_arrays(ctx, mode, first[i], count[i]);
+}
+
+/* ---- elements ---- */
 
 #define WIDEN(name, T)                                                                                       \
     static void widen_##name(uint32_t *FGL_RESTRICT to, const T *FGL_RESTRICT from, int n, uint32_t *min, uint32_t *max) \
@@ -182,20 +145,60 @@ static void draw_scattered(struct context *ctx, const struct vertex_source *sour
 {
     fgl_begin(ctx, mode);
     for (int i = 0; i < count; i++)
-        array_element(ctx, source, e[i], true);
+        fgl_array_element(ctx, source, e[i], true);
     fgl_end(ctx);
     fgl_flush_vertices(ctx, 0);
 }
 
-void GLAPIENTRY glDrawElements(GLenum mode, GLsizei count, GLenum type, const GLvoid *indices)
+/* Errors that elements add. */
+static bool check_elements(struct context *ctx, GLenum mode, GLsizei count, GLenum type)
 {
-    struct context *ctx = fgl_current;
-    if (!ctx || !check_draw(ctx, mode, count))
-        return;
-    if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_INT) {
+    const struct buffer_object *b = ctx->client.arrays.element_array_buffer;
+    if (!check_draw(ctx, mode, count))
+        return false;
+    if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_INT)
         fgl_command_error(ctx, GL_INVALID_ENUM);
-        return;
+    else if (b && b->mapped)
+        fgl_command_error(ctx, GL_INVALID_OPERATION);
+    else
+        return true;
+    return false;
+}
+
+/* Where the indexes lie; with a buffer object bound, *count is cut to those that it holds. NULL: nowhere. */
+static const void *find_indices(const struct context *ctx, GLenum type, const void *indices, GLsizei *count)
+{
+    const struct buffer_object *b = ctx->client.arrays.element_array_buffer;
+    if (!b)
+        return indices;
+    const size_t offset = (size_t)(uintptr_t)indices;
+    const size_t bytes = type == GL_UNSIGNED_BYTE ? 1 : type == GL_UNSIGNED_SHORT ? 2 : 4;
+    if (offset >= b->size)
+        return NULL;
+    const size_t present = (b->size - offset) / bytes;
+    if ((size_t)*count > present)
+        *count = (GLsizei)present;
+    return b->data + offset;
+}
+
+/* The range of vertices that glDrawRangeElements named. */
+struct range {
+    GLuint start, end;
+};
+
+/* OSMesa rule: with elements that are no fewer than the vertices of the range, the whole range counts (pipeline/assemble.c). */
+static void widen_range(const struct range *range, GLsizei count, uint32_t *min, uint32_t *max)
+{
+    if (range && range->start <= *min && range->end >= *max && range->end - range->start < (uint32_t)count) {
+        *min = range->start;
+        *max = range->end;
     }
+}
+
+/* range: NULL when the program named none. */
+static void draw_elements(struct context *ctx, GLenum mode, GLsizei count, GLenum type, const GLvoid *given, const struct range *range)
+{
+    const void *indices = find_indices(ctx, type, given, &count);
     if (count == 0 || !indices)
         return;
     if (ctx->compiling) {
@@ -204,14 +207,49 @@ void GLAPIENTRY glDrawElements(GLenum mode, GLsizei count, GLenum type, const GL
     }
     fgl_flush_all(ctx);
     struct vertex_source source;
-    array_source(ctx, &source);
+    fgl_array_source(ctx, &source);
     uint32_t min, max;
     const uint32_t *e = widen(ctx->pipeline, count, type, indices, &min, &max);
     RETURN_ERROR_IF(ctx, !e, GL_OUT_OF_MEMORY);
+    widen_range(range, count, &min, &max);
     if (max - min > 8 * (uint32_t)count + FGL_BATCH_SIZE) {
         draw_scattered(ctx, &source, mode, count, e);
         return;
     }
     const struct draw_prim prim = {mode, 0, count};
     fgl_draw(ctx, &source, &prim, 1, e, min, max);
+}
+
+void GLAPIENTRY glDrawElements(GLenum mode, GLsizei count, GLenum type, const GLvoid *indices)
+{
+    struct context *ctx = fgl_current;
+    if (ctx && check_elements(ctx, mode, count, type))
+        draw_elements(ctx, mode, count, type, indices, NULL);
+}
+
+void GLAPIENTRY glDrawRangeElements(GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const GLvoid *indices)
+{
+    struct context *ctx = fgl_current;
+    const struct range range = {start, end};
+    if (!ctx || !check_elements(ctx, mode, count, type))
+        return;
+    if (end < start)
+        fgl_command_error(ctx, GL_INVALID_VALUE);
+    else
+        draw_elements(ctx, mode, count, type, indices, &range);
+}
+
+void GLAPIENTRY glMultiDrawElements(GLenum mode, const GLsizei *count, GLenum type, const GLvoid *const *indices, GLsizei drawcount)
+{
+    struct context *ctx = fgl_current;
+    if (!ctx || !check_elements(ctx, mode, drawcount, type))
+        return;
+    for (GLsizei i = 0; i < drawcount; i++) {
+        if (count[i] < 0) { /* nothing is drawn */
+            fgl_command_error(ctx, GL_INVALID_VALUE);
+            return;
+        }
+    }
+    for (GLsizei i = 0; i < drawcount; i++)
+        draw_elements(ctx, mode, count[i], type, indices[i], NULL);
 }

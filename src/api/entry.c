@@ -109,6 +109,24 @@
         return fgl_exec_##name(ctx);                                                                         \
     }
 
+#define CMD_ALIAS(name, old, ...)                                                                            \
+    void GLAPIENTRY gl##name(FGL_LIST(FGL_PARAM, __VA_ARGS__))                                               \
+    {                                                                                                        \
+        gl##old(FGL_LIST(FGL_NAME, __VA_ARGS__));                                                            \
+    }
+
+#define CMD_ALIAS0(name, old)                                                                                \
+    void GLAPIENTRY gl##name(void)                                                                           \
+    {                                                                                                        \
+        gl##old();                                                                                           \
+    }
+
+#define CMD_ALIAS_GET(ret, name, old, ...)                                                                   \
+    ret GLAPIENTRY gl##name(FGL_LIST(FGL_PARAM, __VA_ARGS__))                                                \
+    {                                                                                                        \
+        return gl##old(FGL_LIST(FGL_NAME, __VA_ARGS__));                                                     \
+    }
+
 #define CMD_HAND(name)
 
 #include "api/command.def"

@@ -98,16 +98,65 @@ static bool is_blend_factor(GLenum factor)
     }
 }
 
-void fgl_exec_BlendFunc(struct context *ctx, GLenum sfactor, GLenum dfactor)
+static bool is_source_factor(GLenum factor)
+{
+    return is_blend_factor(factor) || factor == GL_SRC_ALPHA_SATURATE;
+}
+
+void fgl_exec_BlendFuncSeparate(struct context *ctx, GLenum sfactorRGB, GLenum dfactorRGB, GLenum sfactorAlpha,
+                                GLenum dfactorAlpha)
 {
     struct color_buffer_state *s = &ctx->s.color_buffer;
 
-    RETURN_ERROR_IF(ctx, !is_blend_factor(sfactor) && sfactor != GL_SRC_ALPHA_SATURATE, GL_INVALID_ENUM);
-    RETURN_ERROR_IF(ctx, !is_blend_factor(dfactor), GL_INVALID_ENUM);
-    SET(ctx, DIRTY_FRAGMENT, s->blend_src_rgb, sfactor);
-    SET(ctx, DIRTY_FRAGMENT, s->blend_dst_rgb, dfactor);
-    SET(ctx, DIRTY_FRAGMENT, s->blend_src_alpha, sfactor);
-    SET(ctx, DIRTY_FRAGMENT, s->blend_dst_alpha, dfactor);
+    RETURN_ERROR_IF(ctx, !is_source_factor(sfactorRGB) || !is_source_factor(sfactorAlpha), GL_INVALID_ENUM);
+    RETURN_ERROR_IF(ctx, !is_blend_factor(dfactorRGB) || !is_blend_factor(dfactorAlpha), GL_INVALID_ENUM);
+    SET(ctx, DIRTY_FRAGMENT, s->blend_src_rgb, sfactorRGB);
+    SET(ctx, DIRTY_FRAGMENT, s->blend_dst_rgb, dfactorRGB);
+    SET(ctx, DIRTY_FRAGMENT, s->blend_src_alpha, sfactorAlpha);
+    SET(ctx, DIRTY_FRAGMENT, s->blend_dst_alpha, dfactorAlpha);
+}
+
+void fgl_exec_BlendFunc(struct context *ctx, GLenum sfactor, GLenum dfactor)
+{
+    fgl_exec_BlendFuncSeparate(ctx, sfactor, dfactor, sfactor, dfactor);
+}
+
+static bool is_blend_equation(GLenum mode)
+{
+    switch (mode) {
+    case GL_FUNC_ADD:
+    case GL_FUNC_SUBTRACT:
+    case GL_FUNC_REVERSE_SUBTRACT:
+    case GL_MIN:
+    case GL_MAX: return true;
+    default: return false;
+    }
+}
+
+void fgl_exec_BlendEquationSeparateEXT(struct context *ctx, GLenum modeRGB, GLenum modeAlpha)
+{
+    RETURN_ERROR_IF(ctx, !is_blend_equation(modeRGB) || !is_blend_equation(modeAlpha), GL_INVALID_ENUM);
+    SET(ctx, DIRTY_FRAGMENT, ctx->s.color_buffer.blend_equation[0], modeRGB);
+    SET(ctx, DIRTY_FRAGMENT, ctx->s.color_buffer.blend_equation[1], modeAlpha);
+}
+
+void fgl_exec_BlendEquation(struct context *ctx, GLenum mode)
+{
+    fgl_exec_BlendEquationSeparateEXT(ctx, mode, mode);
+}
+
+void fgl_exec_BlendColor(struct context *ctx, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha)
+{
+    const float color[4] = {red, green, blue, alpha};
+
+    fgl_set_floats(ctx, DIRTY_FRAGMENT, ctx->s.color_buffer.blend_color, color, 4);
+}
+
+/* GL 1.5, 4.1.3. */
+void fgl_exec_SampleCoverage(struct context *ctx, GLfloat value, GLboolean invert)
+{
+    SET(ctx, DIRTY_RASTER, ctx->s.multisample.sample_coverage_value, fgl_clamp01(value));
+    SET(ctx, DIRTY_RASTER, ctx->s.multisample.sample_coverage_invert, invert != GL_FALSE);
 }
 
 void fgl_exec_LogicOp(struct context *ctx, GLenum opcode)
@@ -205,6 +254,10 @@ void fgl_exec_Fogfv(struct context *ctx, GLenum pname, const GLfloat *params)
     RETURN_ERROR_IF(ctx,
                     pname == GL_FOG_MODE && params[0] != (float)GL_LINEAR && params[0] != (float)GL_EXP &&
                             params[0] != (float)GL_EXP2,
+                    GL_INVALID_ENUM);
+    RETURN_ERROR_IF(ctx,
+                    pname == GL_FOG_COORD_SRC && params[0] != (float)GL_FOG_COORD &&
+                            params[0] != (float)GL_FRAGMENT_DEPTH,
                     GL_INVALID_ENUM);
     RETURN_ERROR_IF(ctx, !fgl_param_allows(p, params), GL_INVALID_VALUE);
 

@@ -44,8 +44,9 @@ static const struct state_row *query(struct context *ctx, GLenum name, double v[
     if (is_current_value(row))
         fgl_flush_current(ctx);
     const bool constant = row->kind == STATE_LIMIT || row->kind == STATE_FLOAT_LIMIT;
+    const char *field = fgl_state_field(row, ctx);
     for (int i = 0; i < row->count; i++)
-        v[i] = constant ? (double)row->limit[i] : read_field(row, (const char *)ctx + row->offset, i);
+        v[i] = constant ? (double)row->limit[i] : read_field(row, field, i);
     return row;
 }
 

@@ -34,7 +34,8 @@ void fgl_exec_GetPointerv(struct context *ctx, GLenum pname, GLvoid **params)
     } arrays[] = {
             {GL_VERTEX_ARRAY_POINTER, ATTR_POSITION},    {GL_NORMAL_ARRAY_POINTER, ATTR_NORMAL},
             {GL_COLOR_ARRAY_POINTER, ATTR_COLOR},        {GL_INDEX_ARRAY_POINTER, ATTR_INDEX},
-            {GL_TEXTURE_COORD_ARRAY_POINTER, ATTR_TEX0}, {GL_EDGE_FLAG_ARRAY_POINTER, ATTR_EDGE_FLAG},
+            {GL_EDGE_FLAG_ARRAY_POINTER, ATTR_EDGE_FLAG},    {GL_FOG_COORD_ARRAY_POINTER, ATTR_FOG_COORD},
+            {GL_SECONDARY_COLOR_ARRAY_POINTER, ATTR_SECONDARY_COLOR},
     };
 
     for (size_t i = 0; i < FGL_COUNTOF(arrays); i++) {
@@ -43,7 +44,11 @@ void fgl_exec_GetPointerv(struct context *ctx, GLenum pname, GLvoid **params)
             return;
         }
     }
+    const struct client_array_state *c = &ctx->client.arrays;
     switch (pname) {
+    case GL_TEXTURE_COORD_ARRAY_POINTER:
+        *params = (GLvoid *)(uintptr_t)c->array[ATTR_TEX0 + c->client_active_texture].pointer;
+        break;
     case GL_FEEDBACK_BUFFER_POINTER: *params = ctx->feedback.buffer; break;
     case GL_SELECTION_BUFFER_POINTER: *params = ctx->selection.buffer; break;
     default: fgl_error(ctx, GL_INVALID_ENUM); break;

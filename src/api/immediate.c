@@ -72,8 +72,10 @@ void fgl_format_source(const struct vertex_format *format, const float *store, s
     source->compiled = source->arrays = false;
     for (int a = 0; a < ATTR_COUNT; a++) {
         if (format->active & (1u << a))
-            source->attr[a] = (struct attr_source){store + format->offset[a], GL_FLOAT, format->size[a],
-                                                   format->floats * (int)sizeof(float)};
+            source->attr[a] = (struct attr_source){.pointer = store + format->offset[a],
+                                                   .type = GL_FLOAT,
+                                                   .size = format->size[a],
+                                                   .stride = format->floats * (int)sizeof(float)};
     }
 }
 

@@ -27,6 +27,9 @@
 #define CMD_GET(ret, name, ...)
 #define CMD_GET0(ret, name)
 #define CMD_HAND(name)
+#define CMD_ALIAS(name, ...)
+#define CMD_ALIAS0(name, ...)
+#define CMD_ALIAS_GET(ret, name, ...)
 
 void fgl_list_replay_command(struct context *ctx, enum fgl_opcode op, void *payload)
 {

@@ -72,6 +72,45 @@ void GLAPIENTRY glLoadMatrixd(const GLdouble *m)
     glLoadMatrixf(v);
 }
 
+/* The commands that take rows. */
+static void transpose(float out[16], const float in[16])
+{
+    for (int i = 0; i < 16; i++)
+        out[i] = in[i % 4 * 4 + i / 4];
+}
+
+void GLAPIENTRY glLoadTransposeMatrixf(const GLfloat *m)
+{
+    float v[16];
+
+    transpose(v, m);
+    glLoadMatrixf(v);
+}
+
+void GLAPIENTRY glMultTransposeMatrixf(const GLfloat *m)
+{
+    float v[16];
+
+    transpose(v, m);
+    glMultMatrixf(v);
+}
+
+void GLAPIENTRY glLoadTransposeMatrixd(const GLdouble *m)
+{
+    float v[16];
+
+    to_floats(v, m);
+    glLoadTransposeMatrixf(v);
+}
+
+void GLAPIENTRY glMultTransposeMatrixd(const GLdouble *m)
+{
+    float v[16];
+
+    to_floats(v, m);
+    glMultTransposeMatrixf(v);
+}
+
 void GLAPIENTRY glMultMatrixd(const GLdouble *m)
 {
     float v[16];

@@ -20,6 +20,7 @@ static const struct param light_params[] = {
 #define LIGHT_MODEL NO_ROW
 #define MATERIAL NO_ROW
 #define FOG NO_ROW
+#define POINT NO_ROW
 #define TEXTURE NO_ROW
 #define TEXTURE_ENV NO_ROW
 #include "api/param_table.def"
@@ -31,6 +32,7 @@ static const struct param light_model_params[] = {
     {pname, PARAM_##kind, count, range, offsetof(struct lighting_state, field)},
 #define MATERIAL NO_ROW
 #define FOG NO_ROW
+#define POINT NO_ROW
 #define TEXTURE NO_ROW
 #define TEXTURE_ENV NO_ROW
 #include "api/param_table.def"
@@ -41,6 +43,7 @@ static const struct param material_params[] = {
 #define LIGHT_MODEL NO_ROW
 #define MATERIAL(pname, count, kind, range) {pname, PARAM_##kind, count, range, 0},
 #define FOG NO_ROW
+#define POINT NO_ROW
 #define TEXTURE NO_ROW
 #define TEXTURE_ENV NO_ROW
 #include "api/param_table.def"
@@ -52,6 +55,19 @@ static const struct param fog_params[] = {
 #define MATERIAL NO_ROW
 #define FOG(pname, count, kind, range, field)                                                                \
     {pname, PARAM_##kind, count, range, offsetof(struct fog_state, field)},
+#define POINT NO_ROW
+#define TEXTURE NO_ROW
+#define TEXTURE_ENV NO_ROW
+#include "api/param_table.def"
+};
+
+static const struct param point_params[] = {
+#define LIGHT NO_ROW
+#define LIGHT_MODEL NO_ROW
+#define MATERIAL NO_ROW
+#define FOG NO_ROW
+#define POINT(pname, count, kind, range, field)                                                              \
+    {pname, PARAM_##kind, count, range, offsetof(struct point_state, field)},
 #define TEXTURE NO_ROW
 #define TEXTURE_ENV NO_ROW
 #include "api/param_table.def"
@@ -62,6 +78,7 @@ static const struct param texture_params[] = {
 #define LIGHT_MODEL NO_ROW
 #define MATERIAL NO_ROW
 #define FOG NO_ROW
+#define POINT NO_ROW
 #define TEXTURE(pname, count, kind, range, field)                                                            \
     {pname, PARAM_##kind, count, range, offsetof(struct texture_parameters, field)},
 #define TEXTURE_ENV NO_ROW
@@ -73,6 +90,7 @@ static const struct param texture_env_params[] = {
 #define LIGHT_MODEL NO_ROW
 #define MATERIAL NO_ROW
 #define FOG NO_ROW
+#define POINT NO_ROW
 #define TEXTURE NO_ROW
 #define TEXTURE_ENV(pname, count, kind, range, field)                                                        \
     {pname, PARAM_##kind, count, range, offsetof(struct texture_env, field)},
@@ -106,6 +124,10 @@ const struct param *fgl_fog_param(GLenum pname)
 {
     return FIND(fog_params, pname);
 }
+const struct param *fgl_point_param(GLenum pname)
+{
+    return FIND(point_params, pname);
+}
 
 const struct param *fgl_texture_param(GLenum pname)
 {
@@ -132,6 +154,10 @@ int fgl_count_light_model(GLenum pname)
 int fgl_count_fog(GLenum pname)
 {
     return count_of(fgl_fog_param(pname));
+}
+int fgl_count_point(GLenum pname)
+{
+    return count_of(fgl_point_param(pname));
 }
 
 int fgl_count_texture(GLenum pname)

@@ -1,4 +1,4 @@
-/* The parameters that glLight, glLightModel, glMaterial, glFog, glTexParameter and glTexEnv take by name. One table (param_table.def)
+/* The parameters that glLight, glLightModel, glMaterial, glFog, glPointParameter, glTexParameter and glTexEnv take by name. One table (param_table.def)
  * says what each holds, so that the f, i, fv, iv and glGet forms cannot disagree. */
 #ifndef FGL_API_PARAMS_H
 #define FGL_API_PARAMS_H
@@ -25,6 +25,7 @@ struct param {
 const struct param *fgl_light_param(GLenum pname);
 const struct param *fgl_light_model_param(GLenum pname);
 const struct param *fgl_fog_param(GLenum pname);
+const struct param *fgl_point_param(GLenum pname);
 const struct param *fgl_material_param(GLenum pname);
 const struct param *fgl_texture_param(GLenum pname);
 const struct param *fgl_texture_env_param(GLenum pname);

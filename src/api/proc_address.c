@@ -16,6 +16,9 @@ static const struct {
 #define CMD_NOW0(name) CMD_HAND(name)
 #define CMD_GET(ret, name, ...) CMD_HAND(name)
 #define CMD_GET0(ret, name) CMD_HAND(name)
+#define CMD_ALIAS(name, ...) CMD_HAND(name)
+#define CMD_ALIAS0(name, ...) CMD_HAND(name)
+#define CMD_ALIAS_GET(ret, name, ...) CMD_HAND(name)
 #include "api/command.def"
 };
 

@@ -64,28 +64,31 @@ RASTER_POS4(d, GLdouble)
 RASTER_POS4(i, GLint)
 RASTER_POS4(s, GLshort)
 
-#define WINDOW_POS2(suffix, T)                                                                               \
-    void GLAPIENTRY glWindowPos2##suffix(T x, T y)                                                           \
+#define WINDOW_POS_FORMS(T, s, ext)                                                                          \
+    void GLAPIENTRY glWindowPos2##s##ext(T x, T y)                                                           \
     {                                                                                                        \
         glWindowPos3f((GLfloat)x, (GLfloat)y, 0.0f);                                                         \
     }                                                                                                        \
-    void GLAPIENTRY glWindowPos2##suffix##v(const T *v)                                                      \
+    void GLAPIENTRY glWindowPos2##s##v##ext(const T *v)                                                      \
     {                                                                                                        \
         glWindowPos3f((GLfloat)v[0], (GLfloat)v[1], 0.0f);                                                   \
     }                                                                                                        \
-    void GLAPIENTRY glWindowPos3##suffix##v(const T *v)                                                      \
+    void GLAPIENTRY glWindowPos3##s##v##ext(const T *v)                                                      \
     {                                                                                                        \
         glWindowPos3f((GLfloat)v[0], (GLfloat)v[1], (GLfloat)v[2]);                                          \
     }
-#define WINDOW_POS3(suffix, T)                                                                               \
-    void GLAPIENTRY glWindowPos3##suffix(T x, T y, T z)                                                      \
+#define WINDOW_POS3(T, s, ext)                                                                               \
+    void GLAPIENTRY glWindowPos3##s##ext(T x, T y, T z)                                                      \
     {                                                                                                        \
         glWindowPos3f((GLfloat)x, (GLfloat)y, (GLfloat)z);                                                   \
     }
-WINDOW_POS2(d, GLdouble)
-WINDOW_POS2(f, GLfloat)
-WINDOW_POS2(i, GLint)
-WINDOW_POS2(s, GLshort)
-WINDOW_POS3(d, GLdouble)
-WINDOW_POS3(i, GLint)
-WINDOW_POS3(s, GLshort)
+#define WINDOW_POS(T, s)                                                                                     \
+    WINDOW_POS_FORMS(T, s, ) WINDOW_POS_FORMS(T, s, ARB) WINDOW_POS3(T, s, ARB)                              \
+    WINDOW_POS_FORMS(T, s, MESA) WINDOW_POS3(T, s, MESA)
+WINDOW_POS(GLdouble, d)
+WINDOW_POS(GLfloat, f)
+WINDOW_POS(GLint, i)
+WINDOW_POS(GLshort, s)
+WINDOW_POS3(GLdouble, d, )
+WINDOW_POS3(GLint, i, )
+WINDOW_POS3(GLshort, s, )

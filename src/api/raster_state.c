@@ -1,6 +1,7 @@
 /* State of rasterization: points, lines, polygons, hints (GL 1.5, 3.3 "Points", 3.4 "Line Segments", 3.5
  * "Polygons", 5.6 "Hints"). */
 #include "api/command.h"
+#include "api/params.h"
 #include "api/set.h"
 #include "fixedgl.h"
 
@@ -8,6 +9,37 @@ void fgl_exec_PointSize(struct context *ctx, GLfloat size)
 {
     RETURN_ERROR_IF(ctx, !(size > 0), GL_INVALID_VALUE);
     SET(ctx, DIRTY_RASTER, ctx->s.point.point_size, size);
+}
+
+void fgl_exec_PointParameterfv(struct context *ctx, GLenum pname, const GLfloat *params)
+{
+    const struct param *p = fgl_point_param(pname);
+    RETURN_ERROR_IF(ctx, !p, GL_INVALID_ENUM);
+    RETURN_ERROR_IF(ctx, !fgl_param_allows(p, params), GL_INVALID_VALUE);
+    fgl_param_set(ctx, DIRTY_RASTER, p, &ctx->s.point, params);
+}
+
+void GLAPIENTRY glPointParameteriv(GLenum pname, const GLint *params)
+{
+    float v[4];
+
+    fgl_param_from_ints(fgl_point_param(pname), params, v);
+    glPointParameterfv(pname, v);
+}
+
+/* Only parameters of one value have a form for one value. */
+static GLenum scalar_point(GLenum pname)
+{
+    return fgl_count_point(pname) == 1 ? pname : GL_NONE;
+}
+
+void GLAPIENTRY glPointParameterf(GLenum pname, GLfloat param)
+{
+    glPointParameterfv(scalar_point(pname), &param);
+}
+void GLAPIENTRY glPointParameteri(GLenum pname, GLint param)
+{
+    glPointParameteriv(scalar_point(pname), &param);
 }
 
 void fgl_exec_LineWidth(struct context *ctx, GLfloat width)

@@ -1,6 +1,7 @@
 /* The rows of state_table.def. See state_table.h. */
 #include "api/state_table.h"
 
+#include "api/buffer.h"
 #include "api/list.h"
 #include "base/color_index.h"
 #include "fixedgl.h"
@@ -77,6 +78,56 @@ static void texture_binding_cube_map(const struct context *ctx, double *v)
     *v = texture_binding(ctx, TEXTURE_CUBE_MAP);
 }
 
+static void array_buffer_binding(const struct context *ctx, double *v)
+{
+    *v = fgl_buffer_name(ctx->client.arrays.array_buffer);
+}
+static void element_array_buffer_binding(const struct context *ctx, double *v)
+{
+    *v = fgl_buffer_name(ctx->client.arrays.element_array_buffer);
+}
+
+#define ARRAY_BUFFER(name, attr)                                                                             \
+    static void name##_buffer(const struct context *ctx, double *v)                                          \
+    {                                                                                                        \
+        *v = fgl_buffer_name(ctx->client.arrays.array[attr].buffer);                                         \
+    }
+ARRAY_BUFFER(vertex, ATTR_POSITION)
+ARRAY_BUFFER(normal, ATTR_NORMAL)
+ARRAY_BUFFER(color, ATTR_COLOR)
+ARRAY_BUFFER(secondary_color, ATTR_SECONDARY_COLOR)
+ARRAY_BUFFER(fog_coord, ATTR_FOG_COORD)
+ARRAY_BUFFER(index, ATTR_INDEX)
+ARRAY_BUFFER(edge_flag, ATTR_EDGE_FLAG)
+ARRAY_BUFFER(texture_coord, ATTR_TEX0 + ctx->client.arrays.client_active_texture)
+#undef ARRAY_BUFFER
+
+static void transpose(double *v)
+{
+    for (int c = 0; c < 4; c++)
+        for (int r = 0; r < c; r++) {
+            const double t = v[4 * c + r];
+            v[4 * c + r] = v[4 * r + c];
+            v[4 * r + c] = t;
+        }
+}
+
+static void transpose_modelview_matrix(const struct context *ctx, double *v)
+{
+    modelview_matrix(ctx, v);
+    transpose(v);
+}
+static void transpose_projection_matrix(const struct context *ctx, double *v)
+{
+    projection_matrix(ctx, v);
+    transpose(v);
+}
+static void transpose_texture_matrix(const struct context *ctx, double *v)
+{
+    texture_matrix(ctx, v);
+    transpose(v);
+}
+
 static void list_index(const struct context *ctx, double *v)
 {
     *v = fgl_list_index(ctx);
@@ -151,6 +202,9 @@ enum {
 #define UNIT_CAP_BIT(name, ...) ROW_##name,
 #define ARRAY(name, ...) ROW_##name,
 #define VALUE(name, ...) ROW_##name,
+#define UNIT_VALUE(name, ...) ROW_##name,
+#define CLIENT_UNIT_VALUE(name, ...) ROW_##name,
+#define CLIENT_UNIT_ARRAY(name, ...) ROW_##name,
 #define LIMIT(name, ...) ROW_##name,
 #define FLOAT_LIMIT(name, ...) ROW_##name,
 #define COMPUTED(name, ...) ROW_##name,
@@ -166,12 +220,32 @@ static const struct state_row rows[ROW_COUNT] = {
 #define CAP_BIT(name, dirty_bit, bit_number, field)                                                          \
     {.kind = STATE_BIT, .count = 1, .bit = (bit_number), .dirty = (dirty_bit), AT(field)},
 #define UNIT_CAP(name, dirty_bit, field)                                                                     \
-    {.kind = STATE_BOOL, .count = 1, .dirty = (dirty_bit), .per_unit = true, AT(s.texture.unit[0].field)},
+    {.kind = STATE_BOOL,                                                                                     \
+     .count = 1,                                                                                             \
+     .dirty = (dirty_bit),                                                                                   \
+     .unit = UNIT_SERVER,                                                                                    \
+     .step = sizeof(struct texture_unit),                                                                    \
+     AT(s.texture.unit[0].field)},
 #define UNIT_CAP_BIT(name, dirty_bit, bit_number, field)                                                     \
-    {.kind = STATE_BIT,  .count = 1,       .bit = (bit_number),                                              \
-     .dirty = (dirty_bit), .per_unit = true, AT(s.texture.unit[0].field)},
+    {.kind = STATE_BIT,                                                                                      \
+     .count = 1,                                                                                             \
+     .bit = (bit_number),                                                                                    \
+     .dirty = (dirty_bit),                                                                                   \
+     .unit = UNIT_SERVER,                                                                                    \
+     .step = sizeof(struct texture_unit),                                                                    \
+     AT(s.texture.unit[0].field)},
 #define ARRAY(name, attr) {.kind = STATE_ARRAY, .count = 1, AT(client.arrays.array[attr].enabled)},
 #define VALUE(name, value_kind, n, field) {.kind = STATE_##value_kind, .count = (n), AT(field)},
+#define UNIT_VALUE(name, value_kind, n, field, bytes)                                                        \
+    {.kind = STATE_##value_kind, .count = (n), .unit = UNIT_SERVER, .step = (bytes), AT(field)},
+#define CLIENT_UNIT_VALUE(name, value_kind, n, field, bytes)                                                 \
+    {.kind = STATE_##value_kind, .count = (n), .unit = UNIT_CLIENT, .step = (bytes), AT(field)},
+#define CLIENT_UNIT_ARRAY(name, attr)                                                                        \
+    {.kind = STATE_ARRAY,                                                                                    \
+     .count = 1,                                                                                             \
+     .unit = UNIT_CLIENT,                                                                                    \
+     .step = sizeof(struct vertex_array),                                                                    \
+     AT(client.arrays.array[attr].enabled)},
 #define LIMIT(name, n, v0, v1) {.kind = STATE_LIMIT, .count = (n), .limit = {(v0), (v1)}},
 #define FLOAT_LIMIT(name, n, v0, v1) {.kind = STATE_FLOAT_LIMIT, .count = (n), .limit = {(v0), (v1)}},
 #define COMPUTED(name, n, function) {.kind = STATE_COMPUTED, .count = (n), .read = function},
@@ -189,6 +263,9 @@ const struct state_row *fgl_state_row(GLenum name)
 #define UNIT_CAP_BIT(name, ...) case name: return &rows[ROW_##name];
 #define ARRAY(name, ...) case name: return &rows[ROW_##name];
 #define VALUE(name, ...) case name: return &rows[ROW_##name];
+#define UNIT_VALUE(name, ...) case name: return &rows[ROW_##name];
+#define CLIENT_UNIT_VALUE(name, ...) case name: return &rows[ROW_##name];
+#define CLIENT_UNIT_ARRAY(name, ...) case name: return &rows[ROW_##name];
 #define LIMIT(name, ...) case name: return &rows[ROW_##name];
 #define FLOAT_LIMIT(name, ...) case name: return &rows[ROW_##name];
 #define COMPUTED(name, ...) case name: return &rows[ROW_##name];
@@ -213,13 +290,20 @@ static bool read_flag(const struct state_row *row, const char *field)
 
 static size_t field_offset(const struct state_row *row, const struct context *ctx)
 {
-    return row->offset +
-           (row->per_unit ? (size_t)ctx->s.texture.active_texture * sizeof(struct texture_unit) : 0);
+    const int unit = row->unit == UNIT_SERVER   ? ctx->s.texture.active_texture
+                     : row->unit == UNIT_CLIENT ? ctx->client.arrays.client_active_texture
+                                                : 0;
+    return row->offset + (size_t)unit * row->step;
+}
+
+const void *fgl_state_field(const struct state_row *row, const struct context *ctx)
+{
+    return (const char *)ctx + field_offset(row, ctx);
 }
 
 bool fgl_state_get_flag(const struct state_row *row, const struct context *ctx)
 {
-    return read_flag(row, (const char *)ctx + field_offset(row, ctx));
+    return read_flag(row, fgl_state_field(row, ctx));
 }
 
 bool fgl_state_saved_flag(const struct state_row *row, const struct server_state *saved,

@@ -22,6 +22,9 @@ enum state_kind {
     STATE_FLOAT_COMPUTED
 };
 
+/* Which unit's value is meant: there is one, that of glActiveTexture, that of glClientActiveTexture. */
+enum state_unit { UNIT_NONE, UNIT_SERVER, UNIT_CLIENT };
+
 enum { STATE_MAX_VALUES = 16 };
 
 struct state_row {
@@ -29,8 +32,9 @@ struct state_row {
     int count; /* values */
     int bit;
     unsigned dirty; /* what glEnable marks; 0: not for glEnable */
-    bool per_unit;  /* the field is that of the active texture unit */
-    size_t offset;  /* of the field in struct context, of unit 0 */
+    size_t offset;  /* of the field in struct context; of unit 0's where there is one for each texture unit */
+    enum state_unit unit;
+    size_t step; /* from a unit's field to the next */
     float limit[2];
     void (*read)(const struct context *ctx, double *v);
 };
@@ -40,6 +44,9 @@ enum { CLIP_PLANE6 = GL_CLIP_PLANE5 + 1, CLIP_PLANE7 };
 
 /* The row of a name, or NULL. */
 const struct state_row *fgl_state_row(GLenum name);
+
+/* Where a row's value lies now. Not for limits and computed values. */
+const void *fgl_state_field(const struct state_row *row, const struct context *ctx);
 
 /* The rows, from 0, for walking through them; NULL after the last. */
 const struct state_row *fgl_state_row_at(int i);

@@ -1,4 +1,4 @@
-/* glVertex, glNormal, glColor, glIndex, glTexCoord, glEdgeFlag and glRect in all their forms (GL 1.5, 2.7 "Vertex Specification", 2.10
+/* glVertex, glNormal, glColor, glSecondaryColor, glFogCoord, glIndex, glTexCoord, glMultiTexCoord, glEdgeFlag and glRect in all their forms (GL 1.5, 2.7 "Vertex Specification", 2.10
  * "Rectangles"): conversions of table 2.9 in OSMesa's arithmetic, then the vertex store. They may be called inside and outside Begin/End. */
 #include "api/convert.h"
 #include "api/errors.h"
@@ -36,7 +36,7 @@ static FGL_ALWAYS_INLINE void vertex(const int size, float x, float y, float z, 
 }
 
 /* The common case of fgl_attr_set. */
-static FGL_ALWAYS_INLINE void attribute(const enum fgl_attr attr, const int size, float x, float y, float z, float w)
+static FGL_ALWAYS_INLINE void attribute(enum fgl_attr attr, const int size, float x, float y, float z, float w)
 {
     struct context *ctx = fgl_current;
     if (FGL_UNLIKELY(!ctx))
@@ -88,6 +88,27 @@ COLOR(GLuint, ui, fgl_norm_ui, 4)
 COLOR(GLfloat, f, plain_f, 3)
 COLOR(GLdouble, d, plain_d, 4)
 
+#define SECONDARY(T, s, f, ext)                                                                              \
+    void GLAPIENTRY glSecondaryColor3##s##ext(T r, T g, T b) { attribute(ATTR_SECONDARY_COLOR, 3, f(r), f(g), f(b), 1); } \
+    void GLAPIENTRY glSecondaryColor3##s##v##ext(const T *v) { attribute(ATTR_SECONDARY_COLOR, 3, f(v[0]), f(v[1]), f(v[2]), 1); }
+#define SECONDARY_COLOR(T, s, f) SECONDARY(T, s, f, ) SECONDARY(T, s, f, EXT)
+SECONDARY_COLOR(GLbyte, b, fgl_norm_b)
+SECONDARY_COLOR(GLshort, s, fgl_norm_s)
+SECONDARY_COLOR(GLint, i, fgl_norm_i)
+SECONDARY_COLOR(GLubyte, ub, fgl_norm_ub)
+SECONDARY_COLOR(GLushort, us, fgl_norm_us)
+SECONDARY_COLOR(GLuint, ui, fgl_norm_ui)
+SECONDARY_COLOR(GLfloat, f, plain_f)
+SECONDARY_COLOR(GLdouble, d, plain_d)
+
+#define FOGCOORD(T, s, f, ext)                                                                               \
+    void GLAPIENTRY glFogCoord##s##ext(T c) { attribute(ATTR_FOG_COORD, 1, f(c), 0, 0, 1); }                 \
+    void GLAPIENTRY glFogCoord##s##v##ext(const T *c) { attribute(ATTR_FOG_COORD, 1, f(*c), 0, 0, 1); }
+FOGCOORD(GLfloat, f, plain_f, )
+FOGCOORD(GLdouble, d, plain_d, )
+FOGCOORD(GLfloat, f, plain_f, EXT)
+FOGCOORD(GLdouble, d, plain_d, EXT)
+
 #define INDEX(T, s, f)                                                                                       \
     void GLAPIENTRY glIndex##s(T c) { attribute(ATTR_INDEX, 1, f(c), 0, 0, 1); }                             \
     void GLAPIENTRY glIndex##s##v(const T *c) { attribute(ATTR_INDEX, 1, f(*c), 0, 0, 1); }
@@ -113,6 +134,39 @@ TEXCOORD(GLfloat, f, plain_f)
 TEXCOORD(GLdouble, d, plain_d)
 TEXCOORD(GLint, i, plain_i)
 TEXCOORD(GLshort, s, plain_s)
+
+/* GL 1.5, 2.7: what another target would do is not defined. */
+static FGL_ALWAYS_INLINE void texcoord(GLenum target, const int size, float s, float t, float r, float q)
+{
+    attribute((enum fgl_attr)(ATTR_TEX0 + (target - GL_TEXTURE0) % FGL_MAX_TEXTURE_UNITS), size, s, t, r, q);
+}
+
+#define MULTI(T, s, f, arb)                                                                                  \
+    void GLAPIENTRY glMultiTexCoord1##s##arb(GLenum target, T u) { texcoord(target, 1, f(u), 0, 0, 1); }     \
+    void GLAPIENTRY glMultiTexCoord2##s##arb(GLenum target, T u, T v) { texcoord(target, 2, f(u), f(v), 0, 1); } \
+    void GLAPIENTRY glMultiTexCoord3##s##arb(GLenum target, T u, T v, T r)                                   \
+    {                                                                                                        \
+        texcoord(target, 3, f(u), f(v), f(r), 1);                                                            \
+    }                                                                                                        \
+    void GLAPIENTRY glMultiTexCoord4##s##arb(GLenum target, T u, T v, T r, T q)                              \
+    {                                                                                                        \
+        texcoord(target, 4, f(u), f(v), f(r), f(q));                                                         \
+    }                                                                                                        \
+    void GLAPIENTRY glMultiTexCoord1##s##v##arb(GLenum target, const T *v) { texcoord(target, 1, f(v[0]), 0, 0, 1); } \
+    void GLAPIENTRY glMultiTexCoord2##s##v##arb(GLenum target, const T *v) { texcoord(target, 2, f(v[0]), f(v[1]), 0, 1); } \
+    void GLAPIENTRY glMultiTexCoord3##s##v##arb(GLenum target, const T *v)                                   \
+    {                                                                                                        \
+        texcoord(target, 3, f(v[0]), f(v[1]), f(v[2]), 1);                                                   \
+    }                                                                                                        \
+    void GLAPIENTRY glMultiTexCoord4##s##v##arb(GLenum target, const T *v)                                   \
+    {                                                                                                        \
+        texcoord(target, 4, f(v[0]), f(v[1]), f(v[2]), f(v[3]));                                             \
+    }
+#define MULTITEXCOORD(T, s, f) MULTI(T, s, f, ) MULTI(T, s, f, ARB)
+MULTITEXCOORD(GLfloat, f, plain_f)
+MULTITEXCOORD(GLdouble, d, plain_d)
+MULTITEXCOORD(GLint, i, plain_i)
+MULTITEXCOORD(GLshort, s, plain_s)
 
 /* GL 1.5, 2.10: a polygon of four vertices, counter-clockwise when the second corner is right of and above the first. */
 static void rect(float x1, float y1, float x2, float y2)

@@ -20,6 +20,7 @@ enum {
     FGL_MAX_LIST_NESTING = 64,
     FGL_MAX_EVAL_ORDER = 30,
     FGL_MAX_PIXEL_MAP = 256,
+    FGL_MAX_ELEMENTS = 3000, /* what glDrawRangeElements should be given at most */
     FGL_MAX_VIEWPORT = 16384,
     FGL_MAX_SHININESS = 128, /* GL 1.5, 2.14.1: also the largest spot exponent */
     FGL_MAX_POINT_SIZE = 255,

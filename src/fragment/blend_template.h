@@ -41,11 +41,12 @@ static inline void T(blend_channel)(const struct color_buffer_state *s, int c,
                                     CHANNEL max, CHANNEL *FGL_RESTRICT out)
 {
     CHANNEL sf[FRAGMENT_GROUP], df[FRAGMENT_GROUP];
-    if (s->blend_equation == GL_MIN) { /* factors do not apply */
+    const GLenum equation = s->blend_equation[c == 3];
+    if (equation == GL_MIN) { /* factors do not apply */
         FOR_GROUP(i) out[i] = src[c][i] < dst[c][i] ? src[c][i] : dst[c][i];
         return;
     }
-    if (s->blend_equation == GL_MAX) {
+    if (equation == GL_MAX) {
         FOR_GROUP(i) out[i] = src[c][i] > dst[c][i] ? src[c][i] : dst[c][i];
         return;
     }
@@ -58,8 +59,8 @@ static inline void T(blend_channel)(const struct color_buffer_state *s, int c,
     FOR_GROUP(i) {
         const CHANNEL a = common ? src[c][i] : MUL(src[c][i], sf[i]),
                       b = common ? dst[c][i] : MUL(dst[c][i], df[i]);
-        out[i] = s->blend_equation == GL_FUNC_SUBTRACT ? SUB(a, b)
-                 : s->blend_equation == GL_FUNC_ADD    ? ADD(a, b)
+        out[i] = equation == GL_FUNC_SUBTRACT ? SUB(a, b)
+                 : equation == GL_FUNC_ADD    ? ADD(a, b)
                                                        : SUB(b, a);
     }
     if (common)

@@ -134,6 +134,8 @@ struct fragment_plan {
     GLenum depth_func;
     int textures; /* stages: units that draw a texture */
     struct texture_stage texture[FGL_MAX_TEXTURE_UNITS];
+    atomic_ullong *samples_passed; /* occlusion query: counts fragments that pass all tests; NULL: none runs. Set by the
+                                      caller of fgl_fragment_validate */
     const struct pixel_inputs *pixels; /* NULL but for pixel rectangles; not NULL for COLOR_IMAGE */
 
     int lanes; /* lanes of a raster vertex that this plan reads, a multiple of LANE_GROUP */

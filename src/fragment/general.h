@@ -25,6 +25,8 @@ static void general_group(const struct fragment_plan *plan, const struct planes 
         alpha_test(&f, plan);
     if (plan->stencil_test || plan->depth_test)
         stencil_depth_test(&f, plan, planes);
+    if (FGL_UNLIKELY(plan->samples_passed != NULL))
+        count_samples(&f, plan);
     if (!plan->color_write || !any_live(&f))
         return;
     if (plan->fb->color_kind == COLOR_FLOAT)

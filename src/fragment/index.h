@@ -69,6 +69,8 @@ static void index_group(const struct fragment_plan *plan, const struct planes *p
         apply_smoothing(&f, planes);
     if (plan->stencil_test || plan->depth_test)
         stencil_depth_test(&f, plan, planes);
+    if (FGL_UNLIKELY(plan->samples_passed != NULL))
+        count_samples(&f, plan);
     if (plan->color_write && any_live(&f))
         write_index(&f, plan, planes->smoothing != SMOOTH_NONE);
 }

@@ -98,4 +98,13 @@ static inline void stencil_depth_test(struct fragments *f, const struct fragment
         FOR_GROUP(i) depth[i] = f->live[i] ? f->depth[i] : depth[i];
 }
 
+/* Fragments that passed all tests (GL 1.5, 4.1.7 "Occlusion Queries"). */
+static inline void count_samples(const struct fragments *f, const struct fragment_plan *plan)
+{
+    int32_t n = 0;
+    FOR_GROUP(i) n -= f->live[i];
+    if (n)
+        atomic_fetch_add_explicit(plan->samples_passed, (unsigned long long)n, memory_order_relaxed);
+}
+
 #endif

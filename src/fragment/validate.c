@@ -35,7 +35,7 @@ static fragment_fill_fn *fused_kernel(const struct fragment_plan *plan)
 {
     const bool *write = plan->channel_write;
     if (plan->fb->color_kind != COLOR_UNORM8 || plan->has_secondary || plan->has_fog || plan->textures || plan->alpha_test ||
-        plan->stencil_test || plan->blend || plan->logic_op ||
+        plan->stencil_test || plan->blend || plan->logic_op || plan->samples_passed ||
         !(write[0] && write[1] && write[2] && write[3]))
         return NULL;
     if (!plan->depth_test)

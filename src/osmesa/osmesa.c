@@ -1,10 +1,13 @@
 /* The OSMesa API: contexts and the buffers that they draw to. Behaviour as Mesa 22.3's (docs/osmesa.md). */
 #include "osmesa/osmesa.h"
+#include "api/attrib.h"
+#include "api/buffer.h"
 #include "api/errors.h"
 #include "api/eval_map.h"
 #include "api/immediate.h"
 #include "api/list.h"
 #include "api/proc_address.h"
+#include "api/query.h"
 #include "fixedgl.h"
 #include "pipeline/explain.h"
 #include "pipeline/pipeline.h"
@@ -55,13 +58,15 @@ static bool init_context(struct osmesa_context *c, OSMesaContext share)
     ctx->pipeline = fgl_pipeline_create();
     if (ctx->color_index && ctx->pipeline)
         fgl_explain_stop(ctx->pipeline); /* the lighting equation of indexes is not explained */
-    if (share)
+    if (share) {
         fgl_list_store_retain(share->gl.lists);
-    ctx->lists = share ? share->gl.lists : fgl_list_store_create();
-    if (share)
+        fgl_buffer_store_retain(share->gl.buffers);
         fgl_texture_store_retain(share->gl.textures);
+    }
+    ctx->buffers = share ? share->gl.buffers : fgl_buffer_store_create();
+    ctx->lists = share ? share->gl.lists : fgl_list_store_create();
     ctx->textures = share ? share->gl.textures : fgl_texture_store_create();
-    return ctx->immediate && ctx->pipeline && ctx->lists && ctx->textures && fgl_texture_context_init(ctx);
+    return ctx->immediate && ctx->pipeline && ctx->lists && ctx->buffers && ctx->textures && fgl_texture_context_init(ctx);
 }
 
 static OSMesaContext create(GLenum format, int depth, int stencil, int accum, OSMesaContext share)
@@ -131,12 +136,14 @@ void GLAPIENTRY OSMesaDestroyContext(OSMesaContext c)
     fgl_list_store_release(c->gl.lists);
     fgl_texture_context_free(&c->gl);
     fgl_texture_store_release(c->gl.textures);
+    fgl_queries_destroy(&c->gl);
+    fgl_client_attrib_destroy(&c->gl);
+    fgl_buffer_store_release(c->gl.buffers);
     fgl_eval_maps_destroy(&c->gl);
     fgl_immediate_destroy(c->gl.immediate);
     fgl_pipeline_destroy(c->gl.pipeline);
     fgl_framebuffer_free(&c->fb);
     free(c->gl.attrib_stack);
-    free(c->gl.client_attrib_stack);
     free(c->depth_snapshot);
     free(c);
 }

@@ -11,6 +11,8 @@ struct attr_source {
     GLenum type;
     int size;   /* components */
     int stride; /* bytes, never 0 */
+    bool bounded;   /* only `count` elements may be read; those beyond are 0 */
+    uint32_t count;
 };
 
 struct vertex_source {

@@ -269,7 +269,7 @@ static void writing(struct text *t, const struct explain_detail *d, const struct
                 t, "  blended                    src x (%s) + dst x (%s); alpha: src x (%s) + dst x (%s)%s\n",
                 factor_name(c->blend_src_rgb), factor_name(c->blend_dst_rgb), factor_name(c->blend_src_alpha),
                 factor_name(c->blend_dst_alpha),
-                c->blend_equation == GL_FUNC_ADD ? "" : ", by another blend equation than addition");
+                c->blend_equation[0] == GL_FUNC_ADD ? "" : ", by another blend equation than addition");
     if (d->fragment_plan.logic_op)
         fgl_text_add(t, "  logical operation          0x%04x\n", c->logic_op_mode);
     if (!(write[0] && write[1] && write[2] && write[3]))

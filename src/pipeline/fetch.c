@@ -88,11 +88,35 @@ static void fetch_component(float *to, const char *from, const struct attr_sourc
 void fgl_fetch_one(const struct attr_source *a, int attr, uint32_t i, float v[4])
 {
     const char *from = (const char *)a->pointer + (size_t)i * (size_t)a->stride;
+    const int size = a->bounded && i >= a->count ? 0 : a->size;
     for (int c = 0; c < 4; c++) {
-        v[c] = c == 3 ? 1.0f : 0.0f;
-        if (c < a->size)
+        v[c] = c == 3 && a->size < 4 ? 1.0f : 0.0f;
+        if (c < size)
             fetch_component(&v[c], from + c * component_bytes(a->type), a, 1, is_normalized(attr));
     }
+}
+
+/* Elements 0 .. n of one array from `from` on, and defaults for components that it has not. */
+static void fetch_attr(struct lanes4 *in, const char *from, const struct attr_source *a, int n, bool norm)
+{
+    if (a->type == GL_FLOAT)
+        fetch_attr_floats(in, from, a->stride, n, a->size);
+    for (int c = a->type == GL_FLOAT ? a->size : 0; c < 4; c++) {
+        float *to = in->c[c];
+        if (c < a->size)
+            fetch_component(to, from + c * component_bytes(a->type), a, n, norm);
+        else
+            for (int i = 0; i < n; i++)
+                to[i] = c == 3 ? 1.0f : 0.0f;
+    }
+}
+
+/* Elements present .. n, which lie beyond their buffer object's end: 0. */
+static void clear_attr(struct lanes4 *in, const struct attr_source *a, int present, int n)
+{
+    for (int c = 0; c < 4; c++)
+        for (int i = present; i < n; i++)
+            in->c[c][i] = c >= a->size && c == 3 ? 1.0f : 0.0f;
 }
 
 void fgl_fetch(struct vertex_batch *batch, const struct vertex_source *source, uint32_t attributes, uint32_t first, int n)
@@ -103,16 +127,12 @@ void fgl_fetch(struct vertex_batch *batch, const struct vertex_source *source, u
         if (!(batch->varying & (1u << attr)))
             continue;
         const struct attr_source *a = &source->attr[attr];
-        const char *from = (const char *)a->pointer + (size_t)first * (size_t)a->stride;
-        if (a->type == GL_FLOAT)
-            fetch_attr_floats(&batch->in[attr], from, a->stride, n, a->size);
-        for (int c = a->type == GL_FLOAT ? a->size : 0; c < 4; c++) {
-            float *to = batch->in[attr].c[c];
-            if (c < a->size)
-                fetch_component(to, from + c * component_bytes(a->type), a, n, is_normalized(attr));
-            else
-                for (int i = 0; i < n; i++)
-                    to[i] = c == 3 ? 1.0f : 0.0f;
-        }
+        const uint32_t left = a->count > first ? a->count - first : 0;
+        const int present = !a->bounded || left >= (uint32_t)n ? n : (int)left;
+        if (present)
+            fetch_attr(&batch->in[attr], (const char *)a->pointer + (size_t)first * (size_t)a->stride, a, present,
+                       is_normalized(attr));
+        if (present < n)
+            clear_attr(&batch->in[attr], a, present, n);
     }
 }

@@ -38,6 +38,7 @@ void fgl_pixels_begin(struct context *ctx, enum pixel_kind kind, struct pixel_dr
     if (ctx->color_index)
         f->constant_color[0] = (float)fgl_index_mask((double)ctx->s.current.raster_index);
     f->has_secondary = kind == PIXELS_BITMAP && color_sum(&ctx->s);
+    f->samples_passed = ctx->count_samples ? &ctx->samples_passed : NULL;
     fgl_fragment_validate(f, &ctx->s, ctx->framebuffer, ctx->pipeline->general);
     if (kind != PIXELS_BITMAP)
         f->pixels = &draw->inputs;

@@ -92,6 +92,7 @@ static void update_fragment(struct context *ctx, struct pipeline *p, uint32_t va
     f->texture_varying = 0;
     for (int k = 0; k < plan->vertex.textures; k++)
         f->texture_varying |= 1u << plan->vertex.texture[k].unit;
+    f->samples_passed = ctx->count_samples ? &ctx->samples_passed : NULL;
     fgl_fragment_validate(f, &ctx->s, ctx->framebuffer, p->general);
     fgl_raster_validate(&plan->raster, &ctx->s, f);
     plan->polygon_fill = plan->raster.polygon_mode[0] == GL_FILL && plan->raster.polygon_mode[1] == GL_FILL;

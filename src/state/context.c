@@ -80,6 +80,9 @@ static void init_rasterization(struct server_state *s)
     s->point.point_fade_threshold_size = 1;
     s->point.point_distance_attenuation[0] = 1;
 
+    s->multisample.multisample = true;
+    s->multisample.sample_coverage_value = 1;
+
     s->line.line_width = 1;
     s->line.line_stipple_repeat = 1;
     s->line.line_stipple_pattern = 0xffff;
@@ -107,7 +110,7 @@ static void init_fragment(struct server_state *s)
     c->alpha_test_func = GL_ALWAYS;
     c->blend_src_rgb = c->blend_src_alpha = GL_ONE;
     c->blend_dst_rgb = c->blend_dst_alpha = GL_ZERO;
-    c->blend_equation = GL_FUNC_ADD;
+    c->blend_equation[0] = c->blend_equation[1] = GL_FUNC_ADD;
     c->logic_op_mode = GL_COPY;
     c->draw_buffer = GL_FRONT; /* OSMesa rule: contexts are single buffered */
     c->index_writemask = ~0u;

@@ -18,6 +18,8 @@
 #endif
 #include "GL/gl.h"
 
+#include <stdatomic.h>
+
 /* Table 6.5 "Current Values and Associated Data" (GL_CURRENT_BIT). */
 struct current_state {
     float attr[ATTR_MATERIAL][4]; /* by enum fgl_attr; materials live in lighting_state */
@@ -75,8 +77,14 @@ struct viewport_state {
 
 /* Table 6.11 "Rasterization". */
 struct point_state {
-    bool point_smooth;
+    bool point_smooth, point_sprite;
     float point_size, point_size_min, point_size_max, point_fade_threshold_size, point_distance_attenuation[3];
+};
+
+/* Table 6.13 "Multisampling" (GL_MULTISAMPLE_BIT): kept; there are no multisample buffers. */
+struct multisample_state {
+    bool multisample, sample_alpha_to_coverage, sample_alpha_to_one, sample_coverage, sample_coverage_invert;
+    float sample_coverage_value;
 };
 
 struct line_state {
@@ -118,7 +126,8 @@ struct stencil_state { /* GL_STENCIL_BUFFER_BIT */
 
 struct color_buffer_state { /* GL_COLOR_BUFFER_BIT */
     bool alpha_test, blend, dither, index_logic_op, color_logic_op;
-    GLenum alpha_test_func, blend_src_rgb, blend_dst_rgb, blend_src_alpha, blend_dst_alpha, blend_equation;
+    GLenum alpha_test_func, blend_src_rgb, blend_dst_rgb, blend_src_alpha, blend_dst_alpha;
+    GLenum blend_equation[2]; /* 0 of red, green and blue, 1 of alpha */
     GLenum logic_op_mode, draw_buffer;
     float alpha_test_ref, blend_color[4], color_clear_value[4], index_clear_value;
     bool color_writemask[4];
@@ -233,6 +242,7 @@ struct server_state {
     struct line_state line;
     struct polygon_state polygon;
     struct polygon_stipple_state polygon_stipple;
+    struct multisample_state multisample;
     struct scissor_state scissor;
     struct depth_state depth;
     struct stencil_state stencil;
@@ -246,8 +256,11 @@ struct server_state {
 };
 
 /* Table 6.6 "Vertex Array Data" (GL_CLIENT_VERTEX_ARRAY_BIT). */
+struct buffer_object; /* api/buffer.h */
+
 struct vertex_array {
-    const void *pointer;
+    const void *pointer; /* an offset from the buffer's start when there is one */
+    struct buffer_object *buffer; /* NULL: client memory */
     GLenum type;
     int size;   /* components */
     int stride; /* bytes, as given: 0 means tightly packed */
@@ -257,6 +270,8 @@ struct vertex_array {
 struct client_array_state {
     struct vertex_array array[ATTR_MATERIAL]; /* by enum fgl_attr */
     int client_active_texture;                /* unit */
+    struct buffer_object *array_buffer, *element_array_buffer; /* NULL: none is bound */
+    int lock_first, lock_count; /* GL_EXT_compiled_vertex_array; count 0: not locked */
 };
 
 /* Table 6.22 "Pixels": glPixelStore, [0] pack, [1] unpack (GL_CLIENT_PIXEL_STORE_BIT). */
@@ -309,6 +324,9 @@ struct context {
     struct feedback_state feedback;
     struct selection_state selection;
 
+    bool count_samples; /* an occlusion query runs */
+    atomic_ullong samples_passed;
+
     bool color_index; /* colour index mode, for the life of the context; else RGBA mode */
     GLenum accuracy;  /* FIXEDGL_COMPATIBLE or FIXEDGL_EXACT: see fgl_context_arith */
 
@@ -319,6 +337,8 @@ struct context {
     struct list_store *lists;        /* api/list.h: lists, maybe shared with other contexts */
     struct texture_store *textures;  /* texture/texture.h: texture objects, maybe shared alike */
     struct texture_object *proxy_texture[TEXTURE_TARGETS]; /* GL_PROXY_TEXTURE_1D...: sizes without texels */
+    struct buffer_store *buffers;    /* api/buffer.h: buffer objects, shared as lists are */
+    struct queries *queries;         /* api/query.h: allocated when first used */
     struct eval_maps *eval_maps;     /* api/eval_map.h: allocated when first used */
     struct pipeline *pipeline;       /* pipeline/pipeline.h: the plan and its work space */
     struct framebuffer *framebuffer; /* framebuffer/framebuffer.h; NULL until OSMesaMakeCurrent */

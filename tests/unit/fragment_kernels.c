@@ -133,11 +133,12 @@ static double blended(const struct color_buffer_state *s, int c, const struct pi
                       const struct pixel *dst, double max)
 {
     double constant[4];
+    const GLenum equation = s->blend_equation[c == 3];
     for (int i = 0; i < 4; i++)
         constant[i] = quantise(s->blend_color[i], max);
-    if (s->blend_equation == GL_MIN)
+    if (equation == GL_MIN)
         return fmin(src->c[c], dst->c[c]);
-    if (s->blend_equation == GL_MAX)
+    if (equation == GL_MAX)
         return fmax(src->c[c], dst->c[c]);
     const double a =
             product(src->c[c],
@@ -145,8 +146,8 @@ static double blended(const struct color_buffer_state *s, int c, const struct pi
     const double b =
             product(dst->c[c],
                     factor(c == 3 ? s->blend_dst_alpha : s->blend_dst_rgb, c, src, dst, constant, max), max);
-    const double sum = s->blend_equation == GL_FUNC_SUBTRACT ? a - b
-                       : s->blend_equation == GL_FUNC_ADD    ? a + b
+    const double sum = equation == GL_FUNC_SUBTRACT ? a - b
+                       : equation == GL_FUNC_ADD    ? a + b
                                                              : b - a;
     return fmin(fmax(sum, 0.0), max);
 }
@@ -288,7 +289,8 @@ static void random_color_state(struct color_buffer_state *s, bool can_blend)
     s->blend_dst_rgb = pick(factors, 14);
     s->blend_src_alpha = pick(factors, 15);
     s->blend_dst_alpha = pick(factors, 14);
-    s->blend_equation = pick(equations, 5);
+    s->blend_equation[0] = pick(equations, 5);
+    s->blend_equation[1] = pick(equations, 5);
     for (int c = 0; c < 4; c++) {
         s->blend_color[c] = between(0.0f, 1.0f);
         s->color_writemask[c] = one_of(5) != 0;

@@ -91,7 +91,7 @@ static inline void state_defaults(struct server_state *s)
             GL_KEEP;
     s->stencil.stencil_value_mask = s->stencil.stencil_writemask = 255;
     s->color_buffer.blend_src_rgb = s->color_buffer.blend_src_alpha = GL_ONE;
-    s->color_buffer.blend_equation = GL_FUNC_ADD;
+    s->color_buffer.blend_equation[0] = s->color_buffer.blend_equation[1] = GL_FUNC_ADD;
     s->color_buffer.logic_op_mode = GL_COPY;
     s->color_buffer.draw_buffer = GL_FRONT;
     for (int c = 0; c < 4; c++)
