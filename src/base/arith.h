@@ -15,7 +15,7 @@
  *   r_row4_w_first(p, m)  the same, summed in the order that OSMesa uses where one component only is wanted
  *   r_exp2(x)         2 to the power x; never infinite
  *   r_log2(x)         for positive, normal x
- *   r_pow(x, y)       x to the power y for x > 0; 0 for x <= 0, whatever y; never infinite
+ *   r_pow(x, y)       x to the power y for x > 0; 1 for y = 0, whatever x; else 0 for x <= 0; never infinite
  *   r_fma(a, b, c)    a * b + c, as the window coordinates have it
  *   r_attenuation(x)  1 / x
  *   r_term(x)         a term of a sum of colours

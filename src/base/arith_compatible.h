@@ -127,10 +127,10 @@ static FGL_ALWAYS_INLINE real r_log2(real x)
     return fgl_fma(y, fgl_fma(odd, z, even), exponent);
 }
 
-/* Within 1.5e-5 absolutely for x in [0,1], y in [0,128] (measured on 10^8 random pairs). */
+/* 1 for y = 0, whatever x. Within 1.5e-5 absolutely for x in [0,1], y in [0,128] (measured on 10^8 random pairs). */
 static FGL_ALWAYS_INLINE real r_pow(real x, real y)
 {
-    return r_select(x >= FLT_MIN, r_exp2(r_log2(x) * y), 0);
+    return r_select(x >= FLT_MIN, r_exp2(r_log2(x) * y), r_select(y == 0, 1, 0));
 }
 
 #endif

@@ -1,5 +1,6 @@
 #include "state/matrix_exact.h"
 
+#include "base/pair.h"
 #include "state/matrix_class.h"
 
 #include <math.h>
@@ -132,26 +133,7 @@ void fgl_exact_transform_plane(double r[4], const double m[16], const double p[4
         r[k] = 0;
 }
 
-/* The inverse. Sums of products cancel where a matrix is nearly singular, so they are formed in pairs of doubles:
- * hi + lo, lo what the rounding of hi left. */
-
-struct pair {
-    double hi, lo;
-};
-
-static struct pair product(double a, double b)
-{
-    const double p = a * b;
-    return (struct pair){p, fma(a, b, -p)};
-}
-
-static struct pair sum(struct pair a, struct pair b)
-{
-    const double s = a.hi + b.hi, t = s - a.hi;
-    const double error = (a.hi - (s - t)) + (b.hi - t) + (a.lo + b.lo);
-    const double hi = s + error;
-    return (struct pair){hi, error - (hi - s)};
-}
+/* The inverse. Sums of products cancel where a matrix is nearly singular, so they are formed in pairs of doubles. */
 
 bool fgl_exact_inverse3(double inv[3][3], const double m[16])
 {
@@ -163,14 +145,14 @@ bool fgl_exact_inverse3(double inv[3][3], const double m[16])
             /* The cofactor of element (column, row), by cyclic indices. */
             const int r1 = (column + 1) % 3, r2 = (column + 2) % 3, c1 = (row + 1) % 3, c2 = (row + 2) % 3;
             const double a = m[AT(r1, c1)], b = m[AT(r2, c2)], c = m[AT(r1, c2)], d = m[AT(r2, c1)];
-            const struct pair cofactor = sum(product(a, b), product(-c, d));
+            const struct pair cofactor = pair_sum(pair_product(a, b), pair_product(-c, d));
             inv[row][column] = cofactor.hi;
             if (row)
                 continue;
             const double element = m[AT(column, 0)];
-            struct pair term = product(element, cofactor.hi);
+            struct pair term = pair_product(element, cofactor.hi);
             term.lo += element * cofactor.lo;
-            determinant = sum(determinant, term);
+            determinant = pair_sum(determinant, term);
             magnitude += fabs(element) * (fabs(a * b) + fabs(c * d));
         }
     /* What is left of a sum that cancels down to the rounding of its terms is 0. */

@@ -44,19 +44,17 @@ static bool is_finite_point(const double v[4])
  * vector from the vertex to the light. */
 static void derive_geometry(struct exact_light *out, const struct light *light)
 {
-    const double radians_per_degree = 3.14159265358979323846 / 180.0, cutoff = (double)light->spot_cutoff;
-    /* Cosines of vertices on the cone's edge come out this near to it; they are lit. */
-    const double edge = 0x1p-50;
+    const double w = light->exact_position[3];
 
     for (int c = 0; c < 3; c++) {
-        out->position[c] = light->exact_position[c] / light->exact_position[3];
+        out->position[c] = light->exact_position[c] / (w == 0 ? 1 : w);
         out->direction[c] = light->exact_position[c];
-        out->spot_direction[c] = light->exact_spot_direction[c];
+        out->spot_direction[c] = out->axis[c] = light->exact_spot_direction[c];
     }
     normalize(out->direction);
     normalize(out->spot_direction);
     derive_half(out->half, out->direction);
-    out->cos_cutoff = (cutoff == 90 ? 0 : cos(cutoff * radians_per_degree)) - edge;
+    out->cos_square = fgl_cone_cos_square(light->spot_cutoff);
     out->spot_exponent = (double)light->spot_exponent;
     out->k0 = (double)light->constant_attenuation;
     out->k1 = (double)light->linear_attenuation;

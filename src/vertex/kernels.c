@@ -148,6 +148,8 @@ static void run_face(const struct vertex_plan *vertex, struct vertex_batch *b, i
         else
             (kernel ? kernel : light_general)(light, key, plan, face, work, n);
     }
+    if (!R_EXACT && plan->varying)
+        mark_not_numbers(work, n);
     if (trace) {
         note3(trace->sum, work->color);
         note3(trace->specular_sum, work->specular);

@@ -35,10 +35,46 @@ static FGL_ALWAYS_INLINE struct real3 view_direction(const struct lighting_plan 
     return R_EXACT ? r_vec3(0, 0, 1) : r_vec3((real)v[0], (real)v[1], (real)v[2]);
 }
 
-/* Whether the cosine is inside the cone. OSMesa rule: the edge is outside. */
-static FGL_ALWAYS_INLINE bool in_cone(real cosine, real cos_cutoff)
+#if R_EXACT
+/* Which vertices are within the light's cone or on its edge, without a root: the cosine along / |v| by its square. Those
+ * that are nearer to the edge than the rounding of this are decided in higher precision. */
+static FGL_NOINLINE void find_cone(const struct exact_light *L, struct vertex_work *work, int n, bool positional)
 {
-    return R_EXACT ? !(cosine < cos_cutoff) : cos_cutoff < cosine;
+    const struct real3 position = vec3_of(L->position), axis = vec3_of(L->spot_direction);
+    const real cos_square = L->cos_square.hi, rounding = (real)0x1p-46;
+    const double origin[3] = {0, 0, 0};
+    uint32_t near = 0;
+
+    if (!positional) {
+        const real inside = fgl_cone_contains(L->position, origin, L->axis, L->cos_square);
+        for (int i = 0, end = whole_groups(n); i < end; i++)
+            work->in_cone[i] = inside;
+        return;
+    }
+    for (int i = 0, end = whole_groups(n); i < end; i++) {
+        struct real3 v = r_sub3(load3(work->eye, i), position);
+        real along = r_dot3(v, axis), square = r_dot3(v, v), difference = along * along - cos_square * square;
+        work->in_cone[i] = r_select((along >= 0) & (difference >= 0), 1, 0);
+        near |= (uint32_t)(r_abs(difference) <= rounding * square);
+    }
+    for (int i = 0; near && i < n; i++) {
+        const double to[3] = {work->eye[0][i], work->eye[1][i], work->eye[2][i]};
+        work->in_cone[i] = fgl_cone_contains(L->position, to, L->axis, L->cos_square);
+    }
+}
+#endif
+
+/* Whether vertex i, at this cosine, is inside the cone. OSMesa rule: the edge is outside. */
+static FGL_ALWAYS_INLINE bool in_cone(const light_numbers *FGL_RESTRICT L, struct vertex_work *FGL_RESTRICT work, int i,
+                                      real cosine)
+{
+#if R_EXACT
+    (void)L, (void)cosine;
+    return work->in_cone[i] != 0;
+#else
+    (void)work, (void)i;
+    return L->cos_cutoff < cosine;
+#endif
 }
 
 static FGL_ALWAYS_INLINE struct real3 term3(struct real3 v)
@@ -92,6 +128,10 @@ static FGL_ALWAYS_INLINE void add_light(const light_numbers *FGL_RESTRICT L,
     const struct real3 axis = vec3_of(L->spot_direction), toward_eye = view_direction(plan);
     const real side = face ? -1 : 1;
 
+#if R_EXACT
+    if (spotted)
+        find_cone(L, work, n, positional);
+#endif
     for (int i = 0, end = whole_groups(n); i < end; i++) {
         struct real3 normal = load3(work->normal, i);
         struct real3 VP = direction;
@@ -113,9 +153,11 @@ static FGL_ALWAYS_INLINE void add_light(const light_numbers *FGL_RESTRICT L,
         }
         if (spotted) {
             real cosine = -r_dot3(VP, axis);
-            real spot = r_select(in_cone(cosine, L->cos_cutoff), r_pow(cosine, L->spot_exponent), 0);
+            real spot = r_select(in_cone(L, work, i, cosine), r_pow(cosine, L->spot_exponent), 0);
             att = attenuated ? att * spot : spot;
+#if !R_EXACT
             extreme |= (uint32_t)(r_abs(cosine - L->cos_cutoff) < CONE_EDGE);
+#endif
             NOTE(spot_cosine, cosine);
             NOTE(spot, spot);
         }
@@ -132,10 +174,7 @@ static FGL_ALWAYS_INLINE void add_light(const light_numbers *FGL_RESTRICT L,
                 h = half_vector(VP, toward_eye, &extreme);
             real n_dot_h = side * r_dot3(normal, h);
             real shininess = varying ? work->shininess[i] : (real)plan->shininess[face];
-            if (zero && !R_EXACT) /* OSMesa rule: no material has a highlight, and then h is not looked at */
-                f_spec = attenuated || spotted ? r_pow(diffuse, diffuse) : 1;
-            else
-                f_spec = r_pow(n_dot_h, shininess);
+            f_spec = zero ? 1 : r_pow(n_dot_h, shininess);
             f_spec = r_select(n_dot_VP > 0, f_spec, 0);
             NOTE3(half, h);
             NOTE(n_dot_h, n_dot_h);
@@ -222,6 +261,16 @@ static FGL_ALWAYS_INLINE void start_constant(const real base[3], int n, struct v
             work->color[c][i] = base[c];
             work->specular[c][i] = 0;
         }
+}
+
+/* Marks vertices whose own material made a term, and so the sums, no number. */
+static FGL_ALWAYS_INLINE void mark_not_numbers(struct vertex_work *FGL_RESTRICT work, int n)
+{
+    for (int i = 0, end = whole_groups(n); i < end; i++) {
+        real total = (work->color[0][i] + work->specular[0][i]) + (work->color[1][i] + work->specular[1][i]) +
+                     (work->color[2][i] + work->specular[2][i]);
+        work->extreme[i] |= (uint32_t)(total != total);
+    }
 }
 
 /* Clamps finished sums (GL 1.5, 2.14.6 "Clamping or Masking"). */

@@ -75,8 +75,8 @@ static FGL_ALWAYS_INLINE void transform_eye(const struct vertex_plan *FGL_RESTRI
     }
 }
 
-/* Marks vertices whose eye coordinates float cannot light: w is not positive, or they are near the viewer where that
- * matters. OSMesa rule: other w are taken for 1. Their rounding is some 2^-23 of the greatest term in their sums, so distances of 2^-7 of that
+/* Marks vertices whose eye coordinates float cannot light: w is not 1, which OSMesa takes it for, or they are near the
+ * viewer where that matters. Their rounding is some 2^-23 of the greatest term in their sums, so distances of 2^-7 of that
  * are wrong by 2^-16. */
 static FGL_ALWAYS_INLINE void check_eye(const struct vertex_plan *FGL_RESTRICT plan,
                                         struct vertex_batch *FGL_RESTRICT b, int first, int n,
@@ -96,7 +96,7 @@ static FGL_ALWAYS_INLINE void check_eye(const struct vertex_plan *FGL_RESTRICT p
         real distance = nearest * (greatest * (r_abs(p.x) + r_abs(p.y) + r_abs(p.z)) + offset);
         real square = local_viewer ? r_dot3(eye, eye) : 1;
         work->least[i] = r_max(distance * distance, SAFE_SQUARE_LEAST);
-        work->extreme[i] |= (uint32_t)!(r_row4(p, m + 3) > 0);
+        work->extreme[i] |= (uint32_t)(r_row4(p, m + 3) != 1);
         work->extreme[i] |= local_viewer ? outside(square, work->least[i], SAFE_SQUARE_GREATEST) : 0u;
     }
 }

@@ -9,6 +9,7 @@
 #include "base/batch.h"
 #include "base/cpu.h"
 #include "state/context.h"
+#include "vertex/cone.h"
 #include "vertex/emit.h"
 
 enum normal_scaling { NORMAL_AS_IS, NORMAL_RESCALE, NORMAL_NORMALIZE };
@@ -64,7 +65,9 @@ struct lighting_plan {
 /* The numbers of a light in double, with the names of those of struct light_derived. Eye space always. */
 struct exact_light {
     double position[3], direction[3], half[3], spot_direction[3];
-    double spot_exponent, cos_cutoff;
+    double axis[3]; /* spot_direction as it was given */
+    double spot_exponent;
+    struct pair cos_square; /* of the cutoff */
     double k0, k1, k2;
     double color[COLOR_COUNT][3], product[2][COLOR_COUNT][3];
 };

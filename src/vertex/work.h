@@ -38,6 +38,7 @@ struct vertex_work {
                  [VERTEX_CHUNK]; /* of the face being lit, when the material differs by vertex */
     real shininess[VERTEX_CHUNK];
     real texture[4][VERTEX_CHUNK];  /* coordinates being generated and transformed */
+    real in_cone[VERTEX_CHUNK];     /* 1: within the cone of the light being added, else 0. Only if R_EXACT */
     real least[VERTEX_CHUNK];       /* distances whose squares are below it are lost in the rounding of eye */
     uint32_t extreme[VERTEX_CHUNK]; /* not 0: the vertex left the range where float is safe. Not if R_EXACT */
 };

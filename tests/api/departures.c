@@ -2,6 +2,8 @@
  * OSMesa this test shows that it still differs. */
 #include "api/gl_test.h"
 
+#include <math.h>
+
 static void draw_something(void)
 {
     glBegin(GL_POINTS);
@@ -97,6 +99,71 @@ static void edges_show_after_filling(void **state)
     assert_int_equal(drawn, on_fixedgl());
 }
 
+/* One light at `position`, white, with nothing else that shines; the vertex's normal is (0, 0, 1). */
+static void light_from(float x, float y, float z)
+{
+    const GLfloat position[4] = {x, y, z, 1}, black[4] = {0, 0, 0, 1};
+    glEnable(GL_LIGHTING);
+    glEnable(GL_LIGHT0);
+    glLightfv(GL_LIGHT0, GL_POSITION, position);
+    glLightModelfv(GL_LIGHT_MODEL_AMBIENT, black);
+    glMaterialfv(GL_FRONT, GL_AMBIENT, black);
+    glMaterialfv(GL_FRONT, GL_DIFFUSE, black);
+    glNormal3f(0, 0, 1);
+}
+
+/* Red in the middle of the picture, within one step. */
+static void expect_red(int ours, int osmesas)
+{
+    glFinish();
+    const int red = picture[4 * (TEST_SIZE / 2 * TEST_SIZE + TEST_SIZE / 2)], expected = on_fixedgl() ? ours : osmesas;
+    if (red < expected - 1 || red > expected + 1)
+        fail_msg("red is %d, expected %d", red, expected);
+}
+
+/* GL 1.5, 2.14.1: vectors between points given by homogeneous coordinates. (0, 0, -1, 2) is the point (0, 0, -0.5), and the
+ * light at (1, 0, 0.5) stands 45 degrees above it: 0.7071. OSMesa does not divide by w and has 1.5 / (1 + 1.5^2)^(1/2). */
+static void eye_coordinates_are_divided_by_w(void **state)
+{
+    (void)state;
+    const GLfloat white[4] = {1, 1, 1, 1};
+    light_from(1, 0, 0.5f);
+    glMaterialfv(GL_FRONT, GL_DIFFUSE, white);
+    glBegin(GL_POINTS);
+    glVertex4f(0, 0, -1, 2);
+    glEnd();
+    expect_red(180, 212);
+}
+
+/* GL 1.5, 2.14.1: (n . h)^0 is 1, attenuated here to 0.8. OSMesa multiplies by (n . VP)^(n . VP) too, 0.5^0.5. */
+static void shininess_0_is_no_falloff(void **state)
+{
+    (void)state;
+    const GLfloat white[4] = {1, 1, 1, 1};
+    light_from(1.7320508f, 0, 1);
+    glLightf(GL_LIGHT0, GL_CONSTANT_ATTENUATION, 1.25f);
+    glMaterialfv(GL_FRONT, GL_SPECULAR, white);
+    glBegin(GL_POINTS);
+    glVertex2i(0, 0);
+    glEnd();
+    expect_red(204, 144);
+}
+
+/* A term that is no number counts as 0 also where materials differ by vertex; OSMesa clamps the sum to white. */
+static void a_vertex_material_that_is_no_number(void **state)
+{
+    (void)state;
+    const GLfloat grey[4] = {0.4f, 0.4f, 0.4f, 1}, none[4] = {NAN, NAN, NAN, 1};
+    light_from(0, 0, 1);
+    glMaterialfv(GL_FRONT, GL_EMISSION, grey);
+    glBegin(GL_POINTS);
+    glVertex2f(0.5f, 0.5f);
+    glMaterialfv(GL_FRONT, GL_DIFFUSE, none);
+    glVertex2i(0, 0);
+    glEnd();
+    expect_red(102, 255);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -105,6 +172,9 @@ int main(void)
             GL_TEST(pop_restores_what_changed_inside_an_inner_push),
             GL_TEST(tracked_materials_follow_a_restored_color),
             GL_TEST(edges_show_after_filling),
+            GL_TEST(eye_coordinates_are_divided_by_w),
+            GL_TEST(shininess_0_is_no_falloff),
+            GL_TEST(a_vertex_material_that_is_no_number),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

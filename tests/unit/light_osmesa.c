@@ -7,6 +7,7 @@
 #include "both.h"
 
 struct setup {
+    bool plain; /* nothing that needs eye coordinates: docs/departures.md, homogeneous-vertices and shininess-0 */
     GLenum color_material_face;
     bool two_sided, color_inside, normal_inside, material_inside;
     float position_w;
@@ -74,7 +75,7 @@ static void set_light(const struct gl *gl, GLenum light, bool plain, float brigh
 static void set_lights(const struct gl *gl, struct setup *s)
 {
     const int n = one_of(10) == 0 ? 0 : one_of(4) ? 1 + one_of(3) : 1 + one_of(8);
-    const bool plain = !one_of(3); /* nothing that needs eye coordinates */
+    const bool plain = s->plain = !one_of(3);
     float ambient[4];
 
     random_color(ambient, 0.2f);
@@ -98,7 +99,7 @@ static void set_material(const struct gl *gl, struct setup *s)
     static const GLenum face[2] = {GL_FRONT, GL_BACK};
     static const GLenum parameter[5] = {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION,
                                         GL_AMBIENT_AND_DIFFUSE};
-    const bool dull = !one_of(4); /* every shininess 0: another path in OSMesa */
+    const bool dull = s->plain && !one_of(4); /* every shininess 0 */
     float color[4];
 
     for (int f = 0; f < 2; f++) {
@@ -108,8 +109,8 @@ static void set_material(const struct gl *gl, struct setup *s)
         }
         gl->Materialf(face[f], GL_SHININESS,
                       dull        ? 0
-                      : one_of(4) ? between(0, 128)
-                                  : (float)(64 * one_of(3)));
+                      : one_of(4) ? between(1, 128)
+                                  : (float)(64 * (1 + one_of(2))));
     }
     s->color_material_face = one_of(3) ? 0 : s->two_sided || one_of(2) ? GL_FRONT_AND_BACK : GL_FRONT;
     if (s->color_material_face) {
@@ -178,7 +179,7 @@ static void draw(struct gl *gl, int set)
     s.color_inside = one_of(2);
     s.normal_inside = one_of(8);
     s.material_inside = !one_of(4) && !s.two_sided;
-    s.position_w = (float)(one_of(4) != 0);
+    s.position_w = (float)(!s.plain || one_of(4) != 0);
     random_color(color, 1);
     gl->Color4fv(color);
     gl->Normal3fv(normal);

@@ -97,9 +97,7 @@ static void reference_light(const struct light_derived *L, const struct vertex_p
     const float shininess = fmaxf(fminf(material(plan, b, i, MAT_SHININESS, face, 0), 128), -128);
     float diffuse = n_dot_VP > 0 ? n_dot_VP : 0;
     if (n_dot_VP > 0)
-        f_spec = !plan->shininess_all_zero ? r_pow(n_dot_h, shininess)
-                 : attenuated || spot      ? r_pow(diffuse, diffuse)
-                                           : 1;
+        f_spec = plan->shininess_all_zero ? 1 : r_pow(n_dot_h, shininess);
     if (attenuated || spot) {
         diffuse *= att;
         f_spec *= att;
