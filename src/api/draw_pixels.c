@@ -8,6 +8,7 @@
 #include "framebuffer/pixel_unpack.h"
 #include "pipeline/feedback.h"
 #include "pipeline/pixels.h"
+#include "pipeline/zoom_clip.h"
 #include "raster/zoom.h"
 
 #include <math.h>
@@ -61,10 +62,11 @@ static bool place(const struct context *ctx, int width, int height, const struct
     return area->x0 < area->x1 && area->y0 < area->y1;
 }
 
-/* The columns of the image that the area shows, and room for rows of them. */
-static bool choose_columns(struct rectangle *r, int stride)
+/* The columns of the image that the area shows, or all, and room for rows of them. */
+static bool choose_columns(struct rectangle *r, int stride, bool all)
 {
-    const int a = fgl_zoom_column(&r->zoom, r->area.x0), b = fgl_zoom_column(&r->zoom, r->area.x1 - 1);
+    const int a = all ? 0 : fgl_zoom_column(&r->zoom, r->area.x0),
+              b = all ? r->zoom.width - 1 : fgl_zoom_column(&r->zoom, r->area.x1 - 1);
     r->first = fgl_min(a, b);
     r->columns = fgl_max(a, b) - r->first + 1;
     r->row = -1;
@@ -82,7 +84,7 @@ static bool choose_columns(struct rectangle *r, int stride)
     }
     for (int x = r->area.x0; x < r->area.x1; x++)
         r->column[x] = fgl_zoom_column(&r->zoom, x) - r->first;
-    r->straight = b - a == r->area.x1 - 1 - r->area.x0;
+    r->straight = !all && b - a == r->area.x1 - 1 - r->area.x0;
     return true;
 }
 
@@ -104,6 +106,12 @@ static void unpack_chunk(struct rectangle *r, int row, int at, int n, union numb
     }
 }
 
+static void unpack_row(struct rectangle *r, int row, union number *const to[4])
+{
+    for (int at = 0; at < r->columns; at += PIXEL_CHUNK)
+        unpack_chunk(r, row, at, fgl_min(PIXEL_CHUNK, r->columns - at), to);
+}
+
 /* Makes `shown` a row of the image. */
 static void show_row(struct rectangle *r, int row)
 {
@@ -112,8 +120,7 @@ static void show_row(struct rectangle *r, int row)
         return;
     for (int c = 0; c < r->planes; c++)
         to[c] = r->straight ? r->shown[c] + r->area.x0 : r->source[c];
-    for (int at = 0; at < r->columns; at += PIXEL_CHUNK)
-        unpack_chunk(r, row, at, fgl_min(PIXEL_CHUNK, r->columns - at), to);
+    unpack_row(r, row, to);
     for (int c = 0; c < r->planes && !r->straight; c++)
         for (int x = r->area.x0; x < r->area.x1; x++)
             r->shown[c][x] = r->source[c][r->column[x]];
@@ -166,6 +173,30 @@ static void draw_rows(struct rectangle *r)
     }
 }
 
+/* The pixels of a run, which show any pixels of the image. */
+static void draw_zoomed_run(void *rectangle, int y, int x0, int x1, const int *column, const int *row)
+{
+    struct rectangle *r = rectangle;
+    for (int x = x0; x < x1; x++) {
+        if (row[x] != r->row)
+            unpack_row(r, row[x], r->source);
+        r->row = row[x];
+        for (int c = 0; c < r->planes; c++)
+            r->shown[c][x] = r->source[c][column[x]];
+    }
+    draw_run(r, y, x0, x1);
+}
+
+/* Whether the window cuts it; where a column of the image is one of the window, that does not matter. */
+static bool is_cut(const struct context *ctx, const struct zoom *z)
+{
+    const float w = (float)ctx->framebuffer->width, h = (float)ctx->framebuffer->height;
+    if (ctx->s.pixel_mode.zoom_x == 1.0f && ctx->s.pixel_mode.zoom_y == 1.0f)
+        return false;
+    return fminf(z->x[0], z->x[1]) < 0.0f || fmaxf(z->x[0], z->x[1]) > w || fminf(z->y[0], z->y[1]) < 0.0f ||
+           fmaxf(z->y[0], z->y[1]) > h;
+}
+
 /* The arrays from which the fragments are made. */
 static void set_inputs(struct rectangle *r)
 {
@@ -196,9 +227,13 @@ static void draw_rectangle(struct context *ctx, int width, int height, const str
         r.planes = 4;
     if (!place(ctx, width, height, &r.draw.bounds, copied, &r.zoom, &r.area))
         return;
-    RETURN_ERROR_IF(ctx, !choose_columns(&r, r.fb->stride), GL_OUT_OF_MEMORY);
+    const bool cut = is_cut(ctx, &r.zoom);
+    RETURN_ERROR_IF(ctx, !choose_columns(&r, r.fb->stride, cut), GL_OUT_OF_MEMORY);
     set_inputs(&r);
-    draw_rows(&r);
+    if (!cut)
+        draw_rows(&r);
+    else if (!fgl_zoom_clip(&r.zoom, r.fb, &r.draw.bounds, draw_zoomed_run, &r))
+        fgl_error(ctx, GL_OUT_OF_MEMORY);
     free(r.column);
     free(r.source[0]);
 }

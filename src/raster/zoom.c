@@ -42,6 +42,10 @@ void fgl_zoom_setup(struct zoom *z, int x, int y, int width, int height, float z
     const float y1 = through_clip((float)y + (float)height * zoom_y, h, -(h * 0.5f));
     const double sx[2] = {snapped(x0), snapped(x1)}, sy[2] = {snapped(y0), snapped(y1)};
 
+    z->x[0] = (float)x;
+    z->x[1] = (float)x + (float)width * zoom_x;
+    z->y[0] = (float)y;
+    z->y[1] = (float)y + (float)height * zoom_y;
     z->width = width;
     z->height = height;
     z->top_first = top_first;
@@ -68,15 +72,25 @@ static int texel(float coordinate, int size)
     return at > 0.0f ? fgl_min((int)at, size - 1) : 0;
 }
 
+int fgl_zoom_texel_column(const struct zoom *z, float s)
+{
+    return texel(s, z->width);
+}
+
+int fgl_zoom_texel_row(const struct zoom *z, float t)
+{
+    const int row = texel(t, z->height);
+    return z->top_first ? z->height - 1 - row : row;
+}
+
 int fgl_zoom_column(const struct zoom *z, int x)
 {
-    return texel(fgl_fma(z->sx, (float)x, z->s0), z->width);
+    return fgl_zoom_texel_column(z, fgl_fma(z->sx, (float)x, z->s0));
 }
 
 int fgl_zoom_row(const struct zoom *z, int y, int triangle)
 {
-    const int row = texel(fgl_fma(z->ty, (float)y, z->t0[triangle]), z->height);
-    return z->top_first ? z->height - 1 - row : row;
+    return fgl_zoom_texel_row(z, fgl_fma(z->ty, (float)y, z->t0[triangle]));
 }
 
 bool fgl_zoom_in_first(const struct zoom *z, int x, int y)

@@ -13,6 +13,7 @@
 struct zoom {
     struct rect covered; /* window pixels, y down, inside the framebuffer */
     int width, height;   /* of the image */
+    float x[2], y[2];    /* the rectangle's corners in pixels, y up; 0: at the raster position */
     bool top_first;      /* the texture's rows are the image's from its last to its first */
     float s0, sx;        /* s of column X is fma(sx, X, s0); 0..1 over the image */
     float t0[2], ty;     /* t of row Y, y down, in the first and the second triangle */
@@ -24,6 +25,9 @@ struct zoom {
 void fgl_zoom_setup(struct zoom *z, int x, int y, int width, int height, float zoom_x, float zoom_y, int fb_width,
                     int fb_height, bool top_first);
 
+/* The image's column and row at s and t, each 0..1 over the image. */
+int fgl_zoom_texel_column(const struct zoom *z, float s);
+int fgl_zoom_texel_row(const struct zoom *z, float t);
 /* The image's column that window column X shows. */
 int fgl_zoom_column(const struct zoom *z, int x);
 /* The image's row that window row Y, y down, shows in triangle 0 or 1. */

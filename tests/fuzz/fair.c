@@ -44,7 +44,8 @@ static bool fair_inside(struct primitive *p, int command)
     const unsigned attribute = attribute_of(command);
     if (command >= CMD_Vertex2d && command < CMD_Normal3b)
         p->vertices++;
-    else if (command == CMD_ArrayElement || command == CMD_CallList || command == CMD_CallLists)
+    else if (command == CMD_ArrayElement || command == CMD_CallList || command == CMD_CallLists ||
+             (command >= CMD_EvalCoord1f && command <= CMD_EvalPoint2))
         p->counted = false;
     if (p->steady && attribute && p->vertices > 0 && !(p->attributes & attribute))
         return false;
@@ -67,11 +68,51 @@ static bool fair_outside(const struct script *s, int i, bool in_list)
     return (command != CMD_CallList && command != CMD_CallLists) || (i > 0 && s->op[i - 1].command == CMD_GetFloatv);
 }
 
+/* A buffer of feedback or selection is given just before it is used. */
+static bool fair_render_mode(const struct script *s, int i)
+{
+    const double mode = s->value[s->op[i].first];
+    const int before = i > 0 ? s->op[i - 1].command : -1;
+    return mode == GL_RENDER || before == (mode == GL_SELECT ? CMD_SelectBuffer : CMD_FeedbackBuffer);
+}
+
+/* A command that uses what another one must have given before. */
+static bool fair_order(const struct script *s, int i)
+{
+    const int command = s->op[i].command;
+    int needed;
+    switch (command) {
+    case CMD_Accum: needed = CMD_Clear; break;
+    case CMD_EvalMesh1: case CMD_EvalPoint1: needed = CMD_MapGrid1f; break;
+    case CMD_EvalMesh2: case CMD_EvalPoint2: needed = CMD_MapGrid2f; break;
+    default: return true;
+    }
+    for (int k = 0; k < i; k++) {
+        if (s->op[k].command == needed && (needed != CMD_Clear || s->value[s->op[k].first] == GL_ACCUM_BUFFER_BIT))
+            return true;
+    }
+    return false;
+}
+
+static bool clears_first(const struct script *s)
+{
+    for (int i = 0; i < s->ops; i++) {
+        const int command = s->op[i].command;
+        if (command == CMD_Clear)
+            return s->value[s->op[i].first] == (GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+        if (command != CMD_ClearColor && command != CMD_ClearDepth && command != CMD_ClearStencil)
+            return false;
+    }
+    return false;
+}
+
 bool script_is_fair(const struct script *s)
 {
     struct primitive p = {0};
     bool in_list = false, executed = false, arrays = false;
     int pushed = 0;
+    if (!clears_first(s))
+        return false;
     for (int i = 0; i < s->ops; i++) {
         const int command = s->op[i].command;
         if (command == CMD_NewList || command == CMD_EndList)
@@ -85,6 +126,10 @@ bool script_is_fair(const struct script *s)
             if (command == CMD_InterleavedArrays || s->value[s->op[i].first] == GL_VERTEX_ARRAY)
                 arrays = command != CMD_DisableClientState;
         }
+        if (!fair_order(s, i))
+            return false;
+        if (command == CMD_RenderMode && !fair_render_mode(s, i))
+            return false;
         if ((command == CMD_DrawArrays || command == CMD_DrawElements) && !arrays)
             return false;
         if (command == CMD_Begin) {

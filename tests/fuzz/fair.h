@@ -12,6 +12,9 @@
  *   - in a list: an attribute outside Begin and End or, if it is executed, inside;
  *   - a draw from arrays while there is no vertex array;
  *   - a call of a list without glGetFloatv (of the current color) just before it;
+ *   - drawing into buffers that were never cleared;
+ *   - glAccum before the buffer was cleared; meshes before a glMapGrid;
+ *   - glRenderMode(GL_FEEDBACK or GL_SELECT) without a buffer given just before it;
  *   - PushAttrib within another, or PopAttrib with nothing drawn just before it, or without a color after it.
  * Only such scripts are kept when a differing one is shortened, lest it turn into one of these. */
 bool script_is_fair(const struct script *s);

@@ -76,7 +76,7 @@ void emit_vertex(struct generator *g)
     if (form >= 2 && g->space == CLIP_SPACE)
         form = 0;
     if (size == 4 && form < 2) {
-        v[3] = chance(g, 50) ? 1.0 : real(g, 0.4, 2.0);
+        v[3] = chance(g, 50) || g->enabled[FEATURE_lighting] ? 1.0 : real(g, 0.4, 2.0);
         for (int i = 0; i < 3; i++)
             v[i] = (double)(float)(v[i] * v[3]);
     }

@@ -52,9 +52,9 @@ static void emit_light(struct generator *g)
         emit_light_color(g, light);
     if (chance(g, 80))
         emit_light_position(g, light);
-    if (chance(g, 35))
+    if (chance(g, 35) && !g->plain_lights)
         emit_light_attenuation(g, light);
-    if (chance(g, 30))
+    if (chance(g, 30) && !g->plain_lights)
         emit_spot(g, light);
     toggle(g, light, 90);
 }
@@ -89,7 +89,7 @@ static void emit_material(struct generator *g)
 {
     const double face = ONE_OF(g, GL_FRONT, GL_FRONT_AND_BACK, GL_FRONT_AND_BACK, GL_BACK);
     if (chance(g, 30)) {
-        const double shininess = chance(g, 10) ? 0.0 : real(g, 0.5, 128.0);
+        const double shininess = chance(g, 10) && g->plain_lights ? 0.0 : real(g, 0.5, 128.0);
         if (chance(g, 20))
             EMIT(g, Materiali, face, GL_SHININESS, integer(g, 1, 128));
         else

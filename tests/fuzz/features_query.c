@@ -1,4 +1,4 @@
-/* Features: errors, values of state, pixels read back. */
+/* Features: errors, values of state. */
 #include "generator.h"
 
 void feature_errors(struct generator *g)
@@ -21,30 +21,6 @@ void feature_errors(struct generator *g)
     case 14: EMIT(g, CallList, 9999); break;
     default: EMIT(g, ShadeModel, GL_LINE);
     }
-}
-
-void feature_pixel_store(struct generator *g)
-{
-    EMIT(g, PixelStorei, GL_PACK_ALIGNMENT, 1 << below(g, 4));
-    if (chance(g, 30))
-        EMIT(g, PixelStorei, GL_PACK_SKIP_PIXELS, below(g, 4));
-    if (chance(g, 30))
-        EMIT(g, PixelStorei, GL_PACK_SKIP_ROWS, below(g, 3));
-    if (chance(g, 20))
-        EMIT(g, PixelStorei, GL_PACK_SWAP_BYTES, below(g, 2));
-}
-
-void feature_read_pixels(struct generator *g)
-{
-    const int width = g->script->width, height = g->script->height, x = below(g, width), y = below(g, height);
-    const double format = ONE_OF(g, GL_RGBA, GL_RGBA, GL_RGB, GL_BGRA, GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA, GL_LUMINANCE,
-                                 GL_LUMINANCE_ALPHA, GL_DEPTH_COMPONENT, GL_STENCIL_INDEX);
-    /* Luminance is a sum, which as an integer overflows in OSMesa. */
-    const double type = format == GL_LUMINANCE || format == GL_LUMINANCE_ALPHA
-                                ? ONE_OF(g, GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT)
-                                : ONE_OF(g, GL_UNSIGNED_BYTE, GL_UNSIGNED_BYTE, GL_BYTE, GL_UNSIGNED_SHORT, GL_SHORT,
-                                         GL_UNSIGNED_INT, GL_INT, GL_FLOAT);
-    EMIT(g, ReadPixels, x, y, integer(g, 1, width - x), integer(g, 1, height - y), format, type);
 }
 
 void feature_get(struct generator *g)

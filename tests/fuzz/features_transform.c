@@ -72,7 +72,7 @@ static void emit_matrix(struct generator *g)
         m[i] = i % 4 == 3 ? 0.0 : real(g, -size, size);
     for (int i = 0; i < 16; i += 5)
         m[i] += 1.0;
-    if (chance(g, 15))
+    if (chance(g, 15) && !g->enabled[FEATURE_lighting])
         m[4 * below(g, 3) + 3] = real(g, -0.05, 0.05);
     for (int i = 0; i < 16; i++)
         m[i] = (double)(float)m[i];

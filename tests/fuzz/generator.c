@@ -1,6 +1,7 @@
 /* The frame of every script: some scenes, each some state and then some drawing with changes of state between. */
 #include "generator.h"
 
+#include <GL/osmesa.h>
 #include <math.h>
 #include <string.h>
 
@@ -41,7 +42,7 @@ double real(struct generator *g, double low, double high)
     double value = low + (high - low) * (double)(next_random(g) >> 11) * 0x1p-53;
     if (step > 0.0 && high - low > 4.0 * step)
         value = fmin(fmax(round(value / step) * step, low), high);
-    return (double)(float)value;
+    return (double)(float)(value + 0.0); /* no -0, which some of OSMesa's paths keep and others do not */
 }
 
 double one_of(struct generator *g, int count, const double *values)
@@ -161,6 +162,8 @@ static void generate_clear(struct generator *g)
     if (chance(g, 30))
         EMIT(g, ClearStencil, below(g, 256));
     EMIT(g, Clear, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    if (g->enabled[FEATURE_accum])
+        EMIT(g, Clear, GL_ACCUM_BUFFER_BIT); /* in OSMesa full of what was in memory */
 }
 
 static void generate_scene(struct generator *g)
@@ -182,12 +185,32 @@ static void generate_scene(struct generator *g)
 static void choose_features(struct generator *g)
 {
     memcpy(g->enabled, g->selected, sizeof g->enabled);
+    g->enabled[FEATURE_lighting] = g->selected[FEATURE_lighting] && chance(g, 70);
+    g->plain_lights = chance(g, 30);
     if (!g->selected[FEATURE_polygon_mode])
         return;
     if (chance(g, 50))
         g->enabled[FEATURE_polygon_mode] = false;
     else
         g->enabled[FEATURE_line_smooth] = g->enabled[FEATURE_point_smooth] = g->enabled[FEATURE_polygon_stipple] = false;
+}
+
+/* Mostly bytes with 24 bits of depth. Not OSMESA_RGB, where OSMesa writes beside the pixels. */
+static void choose_buffers(struct generator *g)
+{
+    static const struct buffers others[] = {{OSMESA_BGRA, GL_UNSIGNED_BYTE, 24, 8}, {OSMESA_ARGB, GL_UNSIGNED_BYTE, 24, 0},
+                                            {OSMESA_RGBA, GL_UNSIGNED_BYTE, 16, 0},
+                                            {OSMESA_RGBA, GL_UNSIGNED_BYTE, 32, 0}, {OSMESA_RGB_565, GL_UNSIGNED_SHORT_5_6_5, 24, 8},
+                                            {OSMESA_RGBA, GL_UNSIGNED_SHORT, 24, 8}, {OSMESA_RGBA, GL_FLOAT, 24, 8}};
+    if (g->selected[FEATURE_buffers] && chance(g, 25)) {
+        g->used[FEATURE_buffers] = true;
+        g->script->buffers = others[below(g, (int)(sizeof others / sizeof others[0]))];
+    }
+}
+
+void feature_buffers(struct generator *g)
+{
+    (void)g; /* chosen with the script */
 }
 
 void generate(struct generator *g, struct script *script, uint64_t seed)
@@ -205,9 +228,12 @@ void generate(struct generator *g, struct script *script, uint64_t seed)
     g->compiling = g->contained = g->executing = g->inside = g->pushed = g->edge_flags = g->steady = g->arrays_set = false;
     g->vertex_lists = g->lists = 0;
     script_clear(script, integer(g, 17, 96), integer(g, 13, 72));
+    choose_buffers(g);
     generate_clear(g);
     if (g->enabled[FEATURE_view])
         emit_feature(g, FEATURE_view);
+    if (g->enabled[FEATURE_lighting] && !g->plain_lights)
+        EMIT(g, Materialf, GL_FRONT_AND_BACK, GL_SHININESS, real(g, 0.5, 128.0));
     for (int scenes = integer(g, 1, 3); scenes > 0; scenes--)
         generate_scene(g);
 }

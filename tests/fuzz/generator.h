@@ -40,6 +40,8 @@ struct generator {
     /* One size in a script: OSMesa keeps the alpha of a Color4 through a later Color3, when the same happened before in its
      * batch of vertices. A Color3 of anything but floats counts as Color4. */
     int color_size, tex_coord_size;
+    /* Lights are plain, neither attenuated nor spots, or no shininess is 0; and lit vertices have w = 1. Else OSMesa is wrong. */
+    bool plain_lights;
     int depth;   /* of lists and stacks within each other */
     bool compiling, executing; /* a list is compiled, and executed */
     bool inside;               /* Begin/End */

@@ -177,6 +177,27 @@ static void *take_out(struct call *call)
     return call->out;
 }
 
+static unsigned char *kept;
+static size_t kept_size;
+
+/* Of as many elements of 4 bytes as the first parameter says. */
+static void *take_kept(struct call *call)
+{
+    kept_size = call->value[0] > 0.0 ? 4 * (size_t)call->value[0] : 0;
+    kept = arena_take(kept_size);
+    memset(kept, UNWRITTEN, kept_size);
+    return kept;
+}
+
+static void take_result(struct call *call, GLint value)
+{
+    call->out_size = sizeof value + kept_size;
+    call->out = arena_take(call->out_size);
+    memcpy(call->out, &value, sizeof value);
+    if (kept_size > 0)
+        memcpy(call->out + sizeof value, kept, kept_size);
+}
+
 /* ---- one function for each command, which gives the values their types ---- */
 
 typedef GLenum MODE;
@@ -190,7 +211,7 @@ typedef const GLuint *UINTS;
 typedef const GLfloat *FLOATS;
 typedef const GLdouble *DOUBLES;
 typedef const GLvoid *ARRAY, *INDICES, *BYTES_IN;
-typedef GLvoid *OUT;
+typedef GLvoid *OUT, *KEPT;
 
 #define TAKE_INTEGER (int64_t) take(call)
 #define TAKE_GLenum TAKE_INTEGER
@@ -218,6 +239,7 @@ typedef GLvoid *OUT;
 #define TAKE_BYTES_IN take_vector(call, GL_UNSIGNED_BYTE)
 #define TAKE_ARRAY take_array(call)
 #define TAKE_OUT take_out(call)
+#define TAKE_KEPT take_kept(call)
 
 #define TAKE(type, name) const type name = (type)TAKE_##type;
 #define TYPE(type, name) type
@@ -226,6 +248,12 @@ typedef GLvoid *OUT;
     {                                                                                                        \
         FGL_EACH(TAKE, __VA_ARGS__)                                                                          \
         ((void (*)(FGL_LIST(TYPE, __VA_ARGS__)))procs[CMD_##name])(FGL_LIST(FGL_NAME, __VA_ARGS__));         \
+    }
+#define RESULT(name, type, ...)                                                                              \
+    static void call_##name(struct call *call)                                                               \
+    {                                                                                                        \
+        FGL_EACH(TAKE, __VA_ARGS__)                                                                          \
+        take_result(call, ((type(*)(FGL_LIST(TYPE, __VA_ARGS__)))procs[CMD_##name])(FGL_LIST(FGL_NAME, __VA_ARGS__))); \
     }
 #define CALL0(name)                                                                                          \
     static void call_##name(struct call *call)                                                               \
@@ -295,25 +323,43 @@ static void run_ops(const struct script *script, struct result *result)
     result->op = script->ops;
 }
 
+static int pixel_bytes(const struct buffers *b)
+{
+    if (b->format == OSMESA_RGB_565)
+        return 2;
+    return (b->format == OSMESA_RGB ? 3 : 4) * (int)type_size(b->type);
+}
+
+static void copy_depth(OSMesaContext context, struct result *result, size_t pixels)
+{
+    GLint width, height, bytes;
+    void *depth;
+    if (!library.depth_buffer(context, &width, &height, &bytes, &depth))
+        return;
+    if (bytes == 4)
+        memcpy(result->depth, depth, pixels * 4);
+    for (size_t i = 0; bytes == 2 && i < pixels; i++)
+        result->depth[i] = ((const uint16_t *)depth)[i];
+}
+
 void run_script(const struct script *script, struct result *result)
 {
     result->records = result->data_size = result->op = 0;
     result->finished = false;
-    arena_used = 0;
+    arena_used = kept_size = 0;
     memset(arena, 0, ARENA);
     const size_t pixels = (size_t)script->width * (size_t)script->height;
-    memset(result->color, 0, pixels * 4);
+    const struct buffers *b = &script->buffers;
+    result->pixel_bytes = pixel_bytes(b);
+    memset(result->color, 0, pixels * MAX_PIXEL_BYTES);
     memset(result->depth, 0, pixels * 4);
-    OSMesaContext context = library.create(GL_RGBA, 24, 8, 16, NULL);
-    if (!context || !library.make_current(context, result->color, GL_UNSIGNED_BYTE, script->width, script->height))
+    OSMesaContext context = library.create(b->format, b->depth_bits, b->stencil_bits, 16, NULL);
+    if (!context || !library.make_current(context, result->color, b->type, script->width, script->height))
         abort();
     run_ops(script, result);
     library.finish();
     record_errors(result, script->ops);
-    GLint width, height, bytes;
-    void *depth;
-    if (library.depth_buffer(context, &width, &height, &bytes, &depth) && bytes == 4)
-        memcpy(result->depth, depth, pixels * 4);
+    copy_depth(context, result, pixels);
     library.make_current(NULL, NULL, 0, 0, 0);
     library.destroy(context);
     result->finished = true;

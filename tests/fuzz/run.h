@@ -6,7 +6,7 @@
 
 #include <stdint.h>
 
-enum { MAX_RECORDS = 4096, MAX_DATA = 1 << 21 };
+enum { MAX_RECORDS = 4096, MAX_DATA = 1 << 21, MAX_PIXEL_BYTES = 16 };
 
 /* What a script made apart from the picture: errors and what queries wrote, in order. */
 struct record {
@@ -21,8 +21,9 @@ struct result {
     int records, data_size;
     struct record record[MAX_RECORDS];
     unsigned char data[MAX_DATA];
-    unsigned char color[MAX_WIDTH * MAX_HEIGHT * 4]; /* RGBA, lowest row first */
-    uint32_t depth[MAX_WIDTH * MAX_HEIGHT];          /* depth in the lower 24 bits, stencil in the upper 8 */
+    int pixel_bytes;
+    unsigned char color[MAX_WIDTH * MAX_HEIGHT * MAX_PIXEL_BYTES]; /* as the caller's buffer has it, lowest row first */
+    uint32_t depth[MAX_WIDTH * MAX_HEIGHT];                        /* depth in the lower 24 bits, stencil in the upper 8 */
 };
 
 /* Loads the library; missing[command] tells which commands it does not have. False, with a line on stderr: it is no

@@ -22,6 +22,7 @@ void script_clear(struct script *s, int width, int height)
 {
     s->width = width;
     s->height = height;
+    s->buffers = (struct buffers){GL_RGBA, GL_UNSIGNED_BYTE, 24, 8};
     s->ops = s->values = 0;
 }
 
@@ -55,6 +56,7 @@ int script_scalars(const struct op *op)
 void script_without(struct script *out, const struct script *in, int from, int to)
 {
     script_clear(out, in->width, in->height);
+    out->buffers = in->buffers;
     for (int i = 0; i < in->ops; i++) {
         if (i < from || i >= to)
             script_add(out, (enum command)in->op[i].command, in->op[i].values, in->value + in->op[i].first);
@@ -179,6 +181,7 @@ void script_print_op(FILE *file, const struct script *s, int i)
 void script_print(FILE *file, const struct script *s)
 {
     fprintf(file, "size %d %d\n", s->width, s->height);
+    fprintf(file, "buffers 0x%x 0x%x %d %d\n", s->buffers.format, s->buffers.type, s->buffers.depth_bits, s->buffers.stencil_bits);
     for (int i = 0; i < s->ops; i++)
         script_print_op(file, s, i);
 }
@@ -253,7 +256,9 @@ bool script_read(FILE *file, struct script *s)
     script_clear(s, 64, 48);
     for (int number = 1; fgets(line, sizeof line, file); number++) {
         const char *at = line + strspn(line, " \t\r\n");
-        if (*at == '\0' || *at == '#' || sscanf(at, "size %d %d", &s->width, &s->height) == 2)
+        struct buffers *b = &s->buffers;
+        if (*at == '\0' || *at == '#' || sscanf(at, "size %d %d", &s->width, &s->height) == 2 ||
+            sscanf(at, "buffers %x %x %d %d", &b->format, &b->type, &b->depth_bits, &b->stencil_bits) == 4)
             continue;
         if (!read_op(s, at)) {
             fprintf(stderr, "fuzz_diff: line %d: cannot read %s", number, line);

@@ -19,7 +19,8 @@ enum kind {
     KIND_MASK,
     KIND_FIRST_VECTOR, /* from here on: the values to the end of the op */
     KIND_VECTOR = KIND_FIRST_VECTOR,
-    KIND_OUT /* no values */
+    KIND_OUT, /* no values */
+    KIND_KEPT
 };
 
 #define KIND_GLenum KIND_ENUM
@@ -64,13 +65,21 @@ struct op {
     int first, values; /* its part of script.value */
 };
 
+/* What the context is made with and the caller's buffer holds. */
+struct buffers {
+    unsigned format, type; /* OSMESA_RGBA, ...; GL_UNSIGNED_BYTE, ... */
+    int depth_bits, stencil_bits;
+};
+
 struct script {
     int width, height; /* of the framebuffer */
+    struct buffers buffers;
     int ops, values;
     struct op op[MAX_OPS];
     double value[MAX_VALUES]; /* each is a value of the parameter's type, so that no library sees another one */
 };
 
+/* Empty, with RGBA bytes, 24 bits of depth and 8 of stencil. */
 void script_clear(struct script *s, int width, int height);
 /* Appends a command; values beyond the capacity are not added and the command is dropped. */
 void script_add(struct script *s, enum command command, int count, const double *values);

@@ -118,10 +118,10 @@ static void compare_records(const struct channel *channel, struct difference *d)
 static void compare_pictures(const struct channel *channel, struct difference *d)
 {
     const struct result *a = &channel->result[OURS], *b = &channel->result[REFERENCE];
-    const int width = channel->script.width, pixels = width * channel->script.height;
+    const int width = channel->script.width, pixels = width * channel->script.height, size = a->pixel_bytes;
     int first = -1;
     for (int i = pixels - 1; i >= 0; i--) {
-        const bool color = memcmp(a->color + 4 * i, b->color + 4 * i, 4) != 0;
+        const bool color = memcmp(a->color + size * i, b->color + size * i, (size_t)size) != 0;
         const bool depth = (a->depth[i] ^ b->depth[i]) & 0xffffff, stencil = (a->depth[i] ^ b->depth[i]) >> 24;
         d->color_pixels += color;
         d->depth_pixels += depth;
@@ -179,10 +179,12 @@ static void print_op(FILE *file, const struct channel *channel, int op)
 static void print_pixel(FILE *file, const struct channel *channel, int x, int y, const char *name, int which)
 {
     const int i = y * channel->script.width + x;
-    const unsigned char *c = channel->result[which].color + 4 * i;
-    const uint32_t depth = channel->result[which].depth[i];
-    fprintf(file, "  %-9s color %3d %3d %3d %3d  depth %8u  stencil %3u\n", name, c[0], c[1], c[2], c[3],
-            (unsigned)(depth & 0xffffff), (unsigned)(depth >> 24));
+    const struct result *result = &channel->result[which];
+    const unsigned char *c = result->color + result->pixel_bytes * i;
+    fprintf(file, "  %-9s color", name);
+    for (int k = 0; k < result->pixel_bytes; k++)
+        fprintf(file, " %3d", c[k]);
+    fprintf(file, "  depth %8u  stencil %3u\n", (unsigned)(result->depth[i] & 0xffffff), (unsigned)(result->depth[i] >> 24));
 }
 
 static void print_record(FILE *file, const struct channel *channel, int index, const char *name, int which)
@@ -255,32 +257,33 @@ void difference_print(FILE *file, const struct channel *channel, const struct di
 static const unsigned char *background(const struct channel *channel)
 {
     const struct result *b = &channel->result[REFERENCE];
-    const int pixels = channel->script.width * channel->script.height;
+    const int pixels = channel->script.width * channel->script.height, size = b->pixel_bytes;
     int best = 0, most = 0;
     for (int i = 0; i < pixels; i += 7) {
         int n = 0;
         for (int k = 0; k < pixels; k++)
-            n += memcmp(b->color + 4 * i, b->color + 4 * k, 4) == 0;
+            n += memcmp(b->color + size * i, b->color + size * k, (size_t)size) == 0;
         if (n > most) {
             most = n;
             best = i;
         }
     }
-    return b->color + 4 * best;
+    return b->color + size * best;
 }
 
 void difference_print_map(FILE *file, const struct channel *channel)
 {
     const struct result *a = &channel->result[OURS], *b = &channel->result[REFERENCE];
-    const int width = channel->script.width;
+    const int width = channel->script.width, pixel = a->pixel_bytes;
+    const size_t size = (size_t)pixel;
     const unsigned char *empty = background(channel);
-    fprintf(file, "  . both %d %d %d %d, # both the same, o only ours, r only the reference, x other values\n", empty[0], empty[1],
-            empty[2], empty[3]);
+    fputs("  . the background in both, # both the same, o only ours, r only the reference, x other values\n", file);
     for (int y = channel->script.height - 1; y >= 0; y--) {
         fprintf(file, "%3d ", y);
         for (int i = y * width; i < (y + 1) * width; i++) {
-            const bool ours = memcmp(a->color + 4 * i, empty, 4) != 0, theirs = memcmp(b->color + 4 * i, empty, 4) != 0;
-            const bool same = memcmp(a->color + 4 * i, b->color + 4 * i, 4) == 0 && a->depth[i] == b->depth[i];
+            const unsigned char *p = a->color + pixel * i, *q = b->color + pixel * i;
+            const bool ours = memcmp(p, empty, size) != 0, theirs = memcmp(q, empty, size) != 0;
+            const bool same = memcmp(p, q, size) == 0 && a->depth[i] == b->depth[i];
             fputc(same ? (ours ? '#' : '.') : ours == theirs ? 'x' : ours ? 'o' : 'r', file);
         }
         fputc('\n', file);

@@ -1,0 +1,249 @@
+/* Features: raster positions, bitmaps, pixel rectangles, pixel transfer and maps. */
+#include "generator.h"
+
+#include <math.h>
+#include <string.h>
+
+/* ---- pixel data ---- */
+
+struct pixel_type {
+    double type;
+    int bytes, components; /* components: of a packed pixel; 0: as many as the format has */
+};
+static const struct pixel_type types[] = {
+        {GL_UNSIGNED_BYTE, 1, 0}, {GL_BYTE, 1, 0}, {GL_UNSIGNED_SHORT, 2, 0}, {GL_SHORT, 2, 0}, {GL_UNSIGNED_INT, 4, 0},
+        {GL_INT, 4, 0}, {GL_FLOAT, 4, 0}, {GL_UNSIGNED_BYTE_3_3_2, 1, 3}, {GL_UNSIGNED_BYTE_2_3_3_REV, 1, 3},
+        {GL_UNSIGNED_SHORT_5_6_5, 2, 3}, {GL_UNSIGNED_SHORT_5_6_5_REV, 2, 3}, {GL_UNSIGNED_SHORT_4_4_4_4, 2, 4},
+        {GL_UNSIGNED_SHORT_4_4_4_4_REV, 2, 4}, {GL_UNSIGNED_SHORT_5_5_5_1, 2, 4}, {GL_UNSIGNED_SHORT_1_5_5_5_REV, 2, 4},
+        {GL_UNSIGNED_INT_8_8_8_8, 4, 4}, {GL_UNSIGNED_INT_8_8_8_8_REV, 4, 4}, {GL_UNSIGNED_INT_10_10_10_2, 4, 4},
+        {GL_UNSIGNED_INT_2_10_10_10_REV, 4, 4}};
+enum { PLAIN_TYPES = 7, TYPES = sizeof types / sizeof types[0], BYTE_TYPES = 2 };
+
+static int components_of(double format)
+{
+    if (format == GL_RGBA || format == GL_BGRA)
+        return 4;
+    if (format == GL_RGB || format == GL_BGR)
+        return 3;
+    return format == GL_LUMINANCE_ALPHA ? 2 : 1;
+}
+
+/* One that the format may have. */
+static const struct pixel_type *random_type(struct generator *g, double format)
+{
+    for (;;) {
+        const struct pixel_type *type = &types[chance(g, 40) ? 0 : below(g, TYPES)];
+        if (type->components == 0 || (type->components == 3 ? format == GL_RGB : components_of(format) == 4))
+            return type;
+    }
+}
+
+static void add_bytes(struct generator *g, const void *element, int bytes)
+{
+    const unsigned char *p = element;
+    for (int i = 0; i < bytes; i++) {
+        const double value = p[i];
+        script_extend(g->script, 1, &value);
+    }
+}
+
+/* Random elements; floats that are colors, or indexes. */
+static void add_elements(struct generator *g, const struct pixel_type *type, int count, bool indexes)
+{
+    for (int i = 0; i < count; i++) {
+        uint32_t bits = (uint32_t)below(g, 1 << 16) << 16 | (uint32_t)below(g, 1 << 16);
+        if (chance(g, 10))
+            bits = chance(g, 50) ? 0 : 0xffffffffu;
+        if (type->type == GL_FLOAT) {
+            const float f = (float)(indexes ? below(g, 256) : chance(g, 10) ? below(g, 2) : real(g, 0.0, 1.0));
+            memcpy(&bits, &f, sizeof bits);
+        }
+        add_bytes(g, &bits, type->bytes);
+    }
+}
+
+/* How rows lie in memory, set for the next image; the number of elements of `bytes` that its rows then take. */
+static int random_store(struct generator *g, int width, int height, int bytes, int per_pixel)
+{
+    const int row_length = chance(g, 15) ? width + below(g, 5) : 0, skip_pixels = chance(g, 15) ? below(g, 4) : 0,
+              skip_rows = chance(g, 15) ? below(g, 3) : 0, alignment = chance(g, 30) ? 1 << below(g, 4) : 4;
+    if (use(g, FEATURE_pixel_store)) {
+        EMIT(g, PixelStorei, GL_UNPACK_ROW_LENGTH, row_length);
+        EMIT(g, PixelStorei, GL_UNPACK_SKIP_PIXELS, skip_pixels);
+        EMIT(g, PixelStorei, GL_UNPACK_SKIP_ROWS, skip_rows);
+        EMIT(g, PixelStorei, GL_UNPACK_ALIGNMENT, alignment);
+    }
+    const int row = ((width + 8) * per_pixel * bytes + 8) / bytes;
+    return row * (height + 3);
+}
+
+/* ---- where ---- */
+
+void feature_raster_pos(struct generator *g)
+{
+    double v[4];
+    random_position(g, v);
+    const double w = g->enabled[FEATURE_lighting] ? 1.0 : real(g, 0.5, 2.0);
+    if (chance(g, 30))
+        emit_color(g);
+    switch (below(g, 5)) {
+    case 0: EMIT(g, RasterPos2f, v[0], v[1]); break;
+    case 1: EMIT(g, RasterPos3f, v[0], v[1], v[2]); break;
+    case 2: EMIT(g, RasterPos4f, (double)(float)(v[0] * w), (double)(float)(v[1] * w), (double)(float)(v[2] * w), w); break;
+    case 3: EMIT(g, WindowPos2f, real(g, 0.0, g->script->width), real(g, 0.0, g->script->height)); break;
+    default: EMIT(g, WindowPos3f, real(g, -5.0, g->script->width), real(g, -5.0, g->script->height), real(g, 0.0, 1.0));
+    }
+}
+
+/* In the middle of the window or somewhere. */
+static void emit_place(struct generator *g)
+{
+    if (chance(g, 50) && use(g, FEATURE_raster_pos))
+        feature_raster_pos(g);
+    else if (chance(g, 60))
+        EMIT(g, WindowPos2f, below(g, g->script->width / 2), below(g, g->script->height / 2));
+}
+
+/* ---- transfer ---- */
+
+void feature_pixel_transfer(struct generator *g)
+{
+    static const double scales[] = {GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE, GL_ALPHA_SCALE, GL_DEPTH_SCALE},
+                        biases[] = {GL_RED_BIAS, GL_GREEN_BIAS, GL_BLUE_BIAS, GL_ALPHA_BIAS, GL_DEPTH_BIAS};
+    for (int i = 0; i < 5; i++) {
+        if (chance(g, 40))
+            EMIT(g, PixelTransferf, scales[i], chance(g, 40) ? 1.0 : real(g, -1.0, 2.0));
+        if (chance(g, 40))
+            EMIT(g, PixelTransferf, biases[i], chance(g, 40) ? 0.0 : real(g, -0.5, 0.5));
+    }
+}
+
+void feature_pixel_map(struct generator *g)
+{
+    const int map = below(g, 10), size = map < 6 ? 1 << below(g, 7) : integer(g, 1, 40);
+    EMIT(g, PixelMapfv, GL_PIXEL_MAP_I_TO_I + map, size);
+    for (int i = 0; i < size; i++) {
+        const double value = map < 2 ? below(g, 256) : real(g, 0.0, 1.0);
+        script_extend(g->script, 1, &value);
+    }
+}
+
+/* What OSMesa does not apply to every rectangle is off. */
+static void emit_plain_transfer(struct generator *g)
+{
+    EMIT(g, PixelTransferf, GL_DEPTH_SCALE, 1.0);
+    EMIT(g, PixelTransferf, GL_DEPTH_BIAS, 0.0);
+}
+
+/* ---- drawing ---- */
+
+void feature_pixel_zoom(struct generator *g)
+{
+    static const double zooms[] = {1.0, 1.0, -1.0, 2.0, -2.0, 3.0, 0.5, 1.5};
+    if (chance(g, 60))
+        EMIT(g, PixelZoom, one_of(g, 8, zooms), one_of(g, 8, zooms));
+    else
+        EMIT(g, PixelZoom, real(g, -3.0, 3.0), real(g, -3.0, 3.0));
+}
+
+void feature_bitmap(struct generator *g)
+{
+    const int width = integer(g, 1, 24), height = integer(g, 1, 16);
+    emit_place(g);
+    if (use(g, FEATURE_pixel_store))
+        EMIT(g, PixelStorei, GL_UNPACK_LSB_FIRST, below(g, 2));
+    for (int n = integer(g, 1, 3); n > 0; n--) {
+        const int count = random_store(g, width, height, 1, 1);
+        EMIT(g, Bitmap, width, height, chance(g, 50) ? 0.0 : real(g, -4.0, 4.0), chance(g, 50) ? 0.0 : real(g, -4.0, 4.0),
+             (double)width + real(g, 0.0, 2.0), chance(g, 70) ? 0.0 : real(g, -4.0, 4.0));
+        add_elements(g, &types[0], count, false);
+        /* OSMesa gathers bitmaps and draws those that overlap only once. */
+        if (!g->compiling)
+            EMIT0(g, Flush);
+    }
+    EMIT(g, PixelStorei, GL_UNPACK_LSB_FIRST, 0);
+}
+
+/* Not GL_COLOR_INDEX, of which OSMesa draws some pixels arbitrarily. */
+void feature_draw_pixels(struct generator *g)
+{
+    const double format = ONE_OF(g, GL_RGBA, GL_RGBA, GL_RGBA, GL_RGB, GL_BGRA, GL_BGR, GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA,
+                                 GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_DEPTH_COMPONENT, GL_STENCIL_INDEX);
+    const bool indexes = format == GL_STENCIL_INDEX;
+    const struct pixel_type *type = random_type(g, format);
+    const int width = integer(g, 1, 20), height = integer(g, 1, 14);
+    const int per_pixel = type->components ? 1 : components_of(format);
+    if ((format == GL_DEPTH_COMPONENT && g->script->buffers.depth_bits == 0) ||
+        (format == GL_STENCIL_INDEX && g->script->buffers.stencil_bits == 0))
+        return;
+    emit_place(g);
+    const int count = random_store(g, width, height, type->bytes, per_pixel);
+    EMIT(g, DrawPixels, width, height, format, type->type);
+    add_elements(g, type, count, indexes);
+}
+
+void feature_copy_pixels(struct generator *g)
+{
+    const int width = g->script->width, height = g->script->height, x = below(g, width), y = below(g, height);
+    const double type = ONE_OF(g, GL_COLOR, GL_COLOR, GL_DEPTH, GL_STENCIL);
+    if ((type == GL_DEPTH && g->script->buffers.depth_bits == 0) || (type == GL_STENCIL && g->script->buffers.stencil_bits == 0))
+        return;
+    emit_place(g);
+    emit_plain_transfer(g);
+    /* OSMesa does not always heed the color mask, and gives depths the current color instead of the raster position's. */
+    const double write_color = type != GL_DEPTH;
+    EMIT(g, ColorMask, write_color, write_color, write_color, write_color);
+    EMIT(g, CopyPixels, x, y, integer(g, 1, width - x), integer(g, 1, height - y), type);
+    EMIT(g, ColorMask, 1, 1, 1, 1);
+}
+
+/* ---- reading ---- */
+
+void feature_pixel_store(struct generator *g)
+{
+    EMIT(g, PixelStorei, GL_PACK_ALIGNMENT, 1 << below(g, 4));
+    if (chance(g, 30))
+        EMIT(g, PixelStorei, GL_PACK_SKIP_PIXELS, below(g, 4));
+    if (chance(g, 30))
+        EMIT(g, PixelStorei, GL_PACK_SKIP_ROWS, below(g, 3));
+    if (chance(g, 20))
+        EMIT(g, PixelStorei, GL_PACK_SWAP_BYTES, below(g, 2));
+}
+
+void feature_read_pixels(struct generator *g)
+{
+    const int width = g->script->width, height = g->script->height, x = below(g, width), y = below(g, height);
+    const struct buffers *b = &g->script->buffers;
+    const double format = ONE_OF(g, GL_RGBA, GL_RGBA, GL_RGB, GL_BGRA, GL_BGR, GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA, GL_LUMINANCE,
+                                 GL_LUMINANCE_ALPHA, GL_DEPTH_COMPONENT, GL_STENCIL_INDEX);
+    if ((format == GL_DEPTH_COMPONENT && b->depth_bits == 0) || (format == GL_STENCIL_INDEX && b->stencil_bits == 0))
+        return;
+    /* Luminance is a sum, which as an integer overflows in OSMesa. */
+    const double type = format == GL_LUMINANCE || format == GL_LUMINANCE_ALPHA ? ONE_OF(g, GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT)
+                                                                               : random_type(g, format)->type;
+    const bool map = format != GL_DEPTH_COMPONENT && chance(g, 15) && use(g, FEATURE_pixel_map);
+    if (map)
+        EMIT(g, PixelTransferi, format == GL_STENCIL_INDEX ? GL_MAP_STENCIL : GL_MAP_COLOR, GL_TRUE);
+    EMIT(g, ReadPixels, x, y, integer(g, 1, width - x), integer(g, 1, height - y), format, type);
+    if (map)
+        EMIT(g, PixelTransferi, format == GL_STENCIL_INDEX ? GL_MAP_STENCIL : GL_MAP_COLOR, GL_FALSE);
+}
+
+/* ---- accumulation ---- */
+
+void feature_accum(struct generator *g)
+{
+    for (int n = integer(g, 1, 4); n > 0; n--) {
+        switch (below(g, 7)) {
+        case 0:
+            EMIT(g, ClearAccum, real(g, -1.0, 1.0), real(g, -1.0, 1.0), real(g, -1.0, 1.0), real(g, -1.0, 1.0));
+            EMIT(g, Clear, GL_ACCUM_BUFFER_BIT);
+            break;
+        case 1: EMIT(g, Accum, GL_LOAD, real(g, 0.0, 1.0)); break;
+        case 2: EMIT(g, Accum, GL_ACCUM, real(g, 0.0, 0.5)); break;
+        case 3: EMIT(g, Accum, GL_ADD, real(g, -0.5, 0.5)); break;
+        case 4: EMIT(g, Accum, GL_MULT, real(g, -1.0, 1.0)); break;
+        default: EMIT(g, Accum, GL_RETURN, real(g, 0.0, 2.0));
+        }
+    }
+}
