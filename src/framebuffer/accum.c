@@ -89,7 +89,7 @@ static void return_pixels(struct framebuffer *fb, const int16_t *a, int x, int y
 {
     for (int i = 0; i < n; i++, a += 4) {
         const float color[4] = {(float)a[0] * scale, (float)a[1] * scale, (float)a[2] * scale, (float)a[3] * scale};
-        fgl_clear_color(fb, (struct rect){x + i, y, x + i + 1, y + 1}, color, mask);
+        fgl_clear_color(fb, (struct rect){x + i, y, x + i + 1, y + 1}, color, mask, false);
     }
 }
 

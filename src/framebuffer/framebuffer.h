@@ -43,11 +43,12 @@ struct rect {
     int x0, y0, x1, y1; /* window pixels, y down, half open */
 };
 
-/* clear.c (GL 1.5, 4.2.3). Colour as given to glClearColor; only channels in mask. */
-void fgl_clear_color(struct framebuffer *fb, struct rect r, const float color[4], const bool mask[4]);
+/* clear.c (GL 1.5, 4.2.3). Colour as given to glClearColor; only channels in mask. drawn: not all of the buffer is cleared; OSMesa
+ * draws a rectangle then, whose values may be rounded differently. */
+void fgl_clear_color(struct framebuffer *fb, struct rect r, const float color[4], const bool mask[4], bool drawn);
 /* Colour index mode: as given to glClearIndex; only bits in writemask. */
 void fgl_clear_index(struct framebuffer *fb, struct rect r, float index, unsigned writemask);
-void fgl_clear_depth(struct framebuffer *fb, struct rect r, double depth);
+void fgl_clear_depth(struct framebuffer *fb, struct rect r, double depth, bool drawn);
 void fgl_clear_stencil(struct framebuffer *fb, struct rect r, int value, unsigned writemask);
 
 /* Colour in [0,1] to n bits: round half to even of v * (2^n - 1); below 0 and NaN give 0. */

@@ -210,7 +210,7 @@ static double time_pixels(const struct context *ctx, const struct server_state *
     const double step = nearer(&f) ? -0.01 : 0.01;
     for (int i = 0; i < PIXEL_ROWS; i++)
         runs.x1[i] = PIXEL_WIDTH + (runs.x0[i] = 0);
-    fgl_clear_depth(fb, (struct rect){0, 0, PIXEL_WIDTH, PIXEL_ROWS}, step < 0 ? 1.0 : 0.0);
+    fgl_clear_depth(fb, (struct rect){0, 0, PIXEL_WIDTH, PIXEL_ROWS}, step < 0 ? 1.0 : 0.0, false);
     for (int run = 0; run < RUNS; run++) {
         const double start = seconds();
         for (int i = 0; i < PIXEL_REPEATS; i++, add_offset(&planes, f.arith, step))

@@ -37,7 +37,7 @@ static void sample(const struct fragment_plan *plan, const struct planes *planes
     }
 }
 
-/* The viewport is the window; nothing else of the pipeline is asked for. */
+/* The viewport is the window; nothing else of the pipeline is asked for. In every mode compatible's arithmetic chooses pixels. */
 static void setup_clipper(struct pipeline *p, const struct framebuffer *fb, const struct rect *bounds, const struct sampler *sampler)
 {
     struct vertex_plan *v = &p->plan.vertex;
@@ -49,8 +49,9 @@ static void setup_clipper(struct pipeline *p, const struct framebuffer *fb, cons
         v->viewport_trans[k] = k == 1 ? -scale[k] : scale[k];
     }
     p->plan.emit.stride = LANES;
+    p->plan.clip = fgl_clip_kernels(ARITH_COMPATIBLE);
     p->plan.polygon_fill = true;
-    raster->kernels = fgl_raster_kernels();
+    raster->kernels = fgl_raster_kernels(ARITH_COMPATIBLE);
     raster->triangle = raster->filled = raster->kernels->triangle;
     raster->bounds = *bounds;
     raster->stride = raster->lanes = LANES;
@@ -88,7 +89,7 @@ bool fgl_zoom_clip(const struct zoom *zoom, const struct framebuffer *fb, const 
     for (int i = 2; i < 4; i++) {
         const struct clip_vertices triangle = {{record[0], record[i - 1], record[i]}, {clip[0], clip[i - 1], clip[i]}, record[0],
                                                outcode[0] | outcode[i - 1] | outcode[i], 0};
-        fgl_clip_triangle(&clipper, &clipper.plan.raster, &triangle);
+        clipper.plan.clip->triangle(&clipper, &clipper.plan.raster, &triangle);
     }
     free(sampler.column);
     return true;
