@@ -9,7 +9,7 @@
 enum { LANES = LANE_COLOR + LANE_GROUP, LANE_S = LANE_COLOR, LANE_T };
 
 /* What the rasterizer sees as the fragment stage. */
-struct sampler {
+struct zoom_sampler {
     struct fragment_plan fragment; /* first: the plan that fill is given */
     const struct zoom *zoom;
     zoomed_run_fn *take;
@@ -24,7 +24,7 @@ static float plane_value(const struct planes *p, int lane, int x, int y)
 
 static void sample(const struct fragment_plan *plan, const struct planes *planes, const struct runs *runs)
 {
-    const struct sampler *s = (const struct sampler *)plan;
+    const struct zoom_sampler *s = (const struct zoom_sampler *)plan;
     for (int i = 0; i < runs->n; i++) {
         const int y = runs->y + i;
         for (int x = runs->x0[i]; x < runs->x1[i]; x++) {
@@ -38,7 +38,7 @@ static void sample(const struct fragment_plan *plan, const struct planes *planes
 }
 
 /* The viewport is the window; nothing else of the pipeline is asked for. In every mode compatible's arithmetic chooses pixels. */
-static void setup_clipper(struct pipeline *p, const struct framebuffer *fb, const struct rect *bounds, const struct sampler *sampler)
+static void setup_clipper(struct pipeline *p, const struct framebuffer *fb, const struct rect *bounds, const struct zoom_sampler *sampler)
 {
     struct vertex_plan *v = &p->plan.vertex;
     struct raster_plan *raster = &p->plan.raster;
@@ -75,7 +75,7 @@ static unsigned set_corner(const struct zoom *z, const struct framebuffer *fb, i
 bool fgl_zoom_clip(const struct zoom *zoom, const struct framebuffer *fb, const struct rect *bounds, zoomed_run_fn *take, void *taker)
 {
     static const int corner[4][2] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}}; /* raster/zoom.h: triangles 0 1 2 and 0 2 3 */
-    struct sampler sampler = {.fragment = {.fill = sample, .general = sample}, .zoom = zoom, .take = take, .taker = taker};
+    struct zoom_sampler sampler = {.fragment = {.fill = sample, .general = sample}, .zoom = zoom, .take = take, .taker = taker};
     struct pipeline clipper;
     float record[4][LANES], clip[4][4];
     unsigned outcode[4];
