@@ -56,13 +56,10 @@ static bool get_reference(const struct diff *diff, const struct picture *picture
                               : draw_with_osmesa(diff, picture, image, problem);
 }
 
-static void compare_picture(void *context, int index, char **line)
+static void compare_with_reference(const struct diff *diff, struct result *result)
 {
-    struct diff *diff = context;
-    struct result *result = &diff->results[index];
     struct image ours, reference;
     struct problem problem, ignored;
-    result->picture = &diff->pictures.items[index];
     const bool drawn = fgl_draw_picture(&diff->ours, result->picture, &ours, &problem);
     const bool known = get_reference(diff, result->picture, &reference, drawn ? &problem : &ignored);
     if (drawn && known)
@@ -74,6 +71,38 @@ static void compare_picture(void *context, int index, char **line)
         fgl_result_fail(result, &problem);
     fgl_image_free(&ours);
     fgl_image_free(&reference);
+}
+
+/* A picture that the reference cannot draw, which OSMesa must confirm. */
+static void draw_alone(const struct diff *diff, const struct departure *undrawn, struct result *result)
+{
+    struct image ours, reference;
+    struct problem problem, refusal;
+    bool drawn = fgl_draw_picture(&diff->ours, result->picture, &ours, &problem);
+    if (drawn && !diff->from_goldens && draw_with_osmesa(diff, result->picture, &reference, &refusal)) {
+        fgl_image_free(&reference);
+        drawn = fgl_problem_set(&problem, "the reference draws it, but %s says that it cannot",
+                                diff->options.departures);
+    }
+    if (drawn)
+        fgl_result_undrawn(result, &ours, undrawn);
+    else
+        fgl_result_fail(result, &problem);
+    if (!fgl_report_write_images(diff->options.output, result->picture, drawn ? &ours : NULL, NULL, &problem))
+        fgl_result_fail(result, &problem);
+    fgl_image_free(&ours);
+}
+
+static void compare_picture(void *context, int index, char **line)
+{
+    struct diff *diff = context;
+    struct result *result = &diff->results[index];
+    result->picture = &diff->pictures.items[index];
+    const struct departure *undrawn = fgl_departures_undrawn(&diff->departures, result->picture->name);
+    if (undrawn != NULL)
+        draw_alone(diff, undrawn, result);
+    else
+        compare_with_reference(diff, result);
     *line = fgl_result_line(result);
 }
 
@@ -84,6 +113,10 @@ static void record_picture(void *context, int index, char **line)
     struct image image;
     struct problem problem;
     result->picture = &diff->pictures.items[index];
+    if (fgl_departures_undrawn(&diff->departures, result->picture->name) != NULL) {
+        *line = fgl_format("%-20s not drawn by the reference", result->picture->name);
+        return;
+    }
     if (draw_with_osmesa(diff, result->picture, &image, &problem) &&
         fgl_goldens_write_picture(diff->options.record, result->picture, &image, &diff->osmesa, &problem))
         *line = fgl_format("%-20s recorded, %dx%d, %d bits of depth", result->picture->name, image.width,
@@ -180,7 +213,7 @@ static int compare_all(struct diff *diff)
 static int record_all(struct diff *diff)
 {
     struct problem problem;
-    int failed = 0;
+    int failed = 0, recorded = 0;
     printf("recording from %s\n", diff->reference_name);
     fgl_pool_run(diff->pictures.count, diff->options.jobs, record_picture, diff);
     for (int i = 0; i < diff->pictures.count; i++)
@@ -190,9 +223,10 @@ static int record_all(struct diff *diff)
                      diff->pictures.count);
         return EXIT_DIFFERS;
     }
-    if (!fgl_goldens_write_index(diff->options.record, &diff->pictures, &diff->osmesa, &problem))
+    if (!fgl_goldens_write_index(diff->options.record, &diff->pictures, &diff->departures, &diff->osmesa,
+                                 &recorded, &problem))
         return fgl_complain("%s", problem.text);
-    printf("%d goldens in %s\n", diff->pictures.count, diff->options.record);
+    printf("%d goldens in %s\n", recorded, diff->options.record);
     return EXIT_SAME;
 }
 

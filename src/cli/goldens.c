@@ -147,7 +147,8 @@ bool fgl_goldens_write_picture(const char *folder, const struct picture *picture
 }
 
 bool fgl_goldens_write_index(const char *folder, const struct picture_list *pictures,
-                             const struct library_facts *facts, struct problem *problem)
+                             const struct departure_list *departures, const struct library_facts *facts, int *recorded,
+                             struct problem *problem)
 {
     char *path = fgl_format("%s/GOLDENS.txt", folder);
     FILE *file = fopen(path, "w");
@@ -158,7 +159,11 @@ bool fgl_goldens_write_index(const char *folder, const struct picture_list *pict
                 facts->vendor, facts->renderer, facts->version);
         fprintf(file, "package: %s\n", facts->package[0] != '\0' ? facts->package : "unknown");
         fprintf(file, "CPU FMA: yes\nMESA_SHADER_CACHE_DISABLE: true\n");
+        *recorded = 0;
         for (int i = 0; i < pictures->count; i++) {
+            if (fgl_departures_undrawn(departures, pictures->items[i].name) != NULL)
+                continue;
+            ++*recorded;
             char *line = fgl_pictures_line(&pictures->items[i]);
             fprintf(file, "picture: %s\n", line);
             free(line);

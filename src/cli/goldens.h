@@ -6,6 +6,7 @@
 #ifndef FGL_CLI_GOLDENS_H
 #define FGL_CLI_GOLDENS_H
 
+#include "departures.h"
 #include "image.h"
 #include "library.h"
 #include "pictures.h"
@@ -31,8 +32,9 @@ void fgl_goldens_close(struct goldens *goldens);
 bool fgl_goldens_write_picture(const char *folder, const struct picture *picture, const struct image *image,
                                const struct library_facts *facts, struct problem *problem);
 
-/* Writes GOLDENS.txt. */
+/* Writes GOLDENS.txt: all pictures but those that the reference cannot draw. *recorded: how many. */
 bool fgl_goldens_write_index(const char *folder, const struct picture_list *pictures,
-                             const struct library_facts *facts, struct problem *problem);
+                             const struct departure_list *departures, const struct library_facts *facts, int *recorded,
+                             struct problem *problem);
 
 #endif

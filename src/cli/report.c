@@ -103,7 +103,7 @@ static void put_result(FILE *page, const char *folder, const struct result *resu
 {
     put_heading(page, result);
     put_figures(page, folder, result);
-    if (result->verdict != VERDICT_FAILED)
+    if (result->verdict != VERDICT_FAILED && result->verdict != VERDICT_UNDRAWN)
         put_numbers(page, result);
     put_paragraph(page, "<span class=\"soft\">named departures:</span> ", result->departures, "");
     put_paragraph(page, "", result->problem.text, "");
@@ -114,13 +114,13 @@ static void put_result(FILE *page, const char *folder, const struct result *resu
 
 static void put_summary(FILE *page, const char *reference_name, const struct result *results, int count)
 {
-    int verdicts[4] = {0};
+    int verdicts[VERDICT_COUNT] = {0};
     for (int i = 0; i < count; i++)
         verdicts[results[i].verdict]++;
     fprintf(page, "<h1>FixedGL and its reference, pixel by pixel</h1>\n");
-    fprintf(page, "<p>%d pictures: %d identical, %d by named departures, %d differ, %d failed.</p>\n", count,
-            verdicts[VERDICT_IDENTICAL], verdicts[VERDICT_DEPARTS], verdicts[VERDICT_DIFFERS],
-            verdicts[VERDICT_FAILED]);
+    char *summary = fgl_result_summary(verdicts);
+    fprintf(page, "<p>%s.</p>\n", summary);
+    free(summary);
     put_paragraph(page, "<span class=\"soft\">Reference:</span> ", reference_name, "");
     fputs("<p class=\"soft\">In the difference pictures each pixel has the color of its kind, over a dim "
           "copy of"

@@ -42,6 +42,13 @@ static void judge(struct result *result, const struct departure_list *departures
                         result->departures, expected, differ);
 }
 
+static void note_drawn(struct result *result, const struct image *ours)
+{
+    result->width = ours->width;
+    result->height = ours->height;
+    result->has_depth = ours->depth != NULL;
+}
+
 void fgl_result_compare(struct result *result, const struct image *ours, const struct image *reference,
                         const struct departure_list *departures)
 {
@@ -52,13 +59,18 @@ void fgl_result_compare(struct result *result, const struct image *ours, const s
     } else if (!fgl_compare_images(ours, reference, &result->difference, &problem)) {
         fgl_result_fail(result, &problem);
     } else {
-        result->width = ours->width;
-        result->height = ours->height;
-        result->has_depth = ours->depth != NULL;
+        note_drawn(result, ours);
         if (result->difference.differ > 0)
             describe_first(result, ours, reference);
         judge(result, departures);
     }
+}
+
+void fgl_result_undrawn(struct result *result, const struct image *ours, const struct departure *departure)
+{
+    result->verdict = VERDICT_UNDRAWN;
+    note_drawn(result, ours);
+    result->departures = fgl_format("%s", departure->name);
 }
 
 void fgl_result_fail(struct result *result, const struct problem *problem)
@@ -72,7 +84,7 @@ void fgl_result_fail(struct result *result, const struct problem *problem)
 
 const char *fgl_result_verdict_name(enum verdict verdict)
 {
-    static const char *const names[] = {"identical", "departs", "differs", "failed"};
+    static const char *const names[] = {"identical", "departs", "undrawn", "differs", "failed"};
     return names[verdict];
 }
 
@@ -98,6 +110,9 @@ char *fgl_result_line(const struct result *result)
     snprintf(size, sizeof size, "%dx%d", result->width, result->height);
     if (result->verdict == VERDICT_FAILED)
         return fgl_format("%-20s %10s  FAILED: %s", result->picture->name, size, result->problem.text);
+    if (result->verdict == VERDICT_UNDRAWN)
+        return fgl_format("%-20s %10s  not drawn by the reference: %s", result->picture->name, size,
+                          result->departures);
     char *numbers = format_numbers(result->picture->name, size, &result->difference, result->has_depth);
     char *line;
     if (result->verdict == VERDICT_IDENTICAL)
@@ -112,10 +127,23 @@ char *fgl_result_line(const struct result *result)
     return line;
 }
 
+char *fgl_result_summary(const int verdicts[VERDICT_COUNT])
+{
+    int count = 0;
+    for (int i = 0; i < VERDICT_COUNT; i++)
+        count += verdicts[i];
+    char undrawn[48] = "";
+    if (verdicts[VERDICT_UNDRAWN] > 0)
+        snprintf(undrawn, sizeof undrawn, ", %d not drawn by the reference", verdicts[VERDICT_UNDRAWN]);
+    return fgl_format("%d pictures: %d identical, %d by named departures, %d differ, %d failed%s", count,
+                      verdicts[VERDICT_IDENTICAL], verdicts[VERDICT_DEPARTS], verdicts[VERDICT_DIFFERS],
+                      verdicts[VERDICT_FAILED], undrawn);
+}
+
 int fgl_result_print_totals(const struct result *results, int count)
 {
     struct difference sum = {0};
-    int verdicts[4] = {0};
+    int verdicts[VERDICT_COUNT] = {0};
     for (int i = 0; i < count; i++) {
         const struct difference *d = &results[i].difference;
         sum.differ += d->differ;
@@ -129,9 +157,9 @@ int fgl_result_print_totals(const struct result *results, int count)
     char *line = format_numbers("total", "", &sum, true);
     puts(line);
     free(line);
-    printf("%d pictures: %d identical, %d by named departures, %d differ, %d failed\n", count,
-           verdicts[VERDICT_IDENTICAL], verdicts[VERDICT_DEPARTS], verdicts[VERDICT_DIFFERS],
-           verdicts[VERDICT_FAILED]);
+    char *summary = fgl_result_summary(verdicts);
+    puts(summary);
+    free(summary);
     return verdicts[VERDICT_DIFFERS] + verdicts[VERDICT_FAILED];
 }
 

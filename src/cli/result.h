@@ -12,8 +12,10 @@
 enum verdict {
     VERDICT_IDENTICAL, /* every byte and every depth value */
     VERDICT_DEPARTS,   /* differs by named departures, in exactly the number of pixels they name */
+    VERDICT_UNDRAWN,   /* the reference cannot draw it: compared with nothing */
     VERDICT_DIFFERS,   /* differs otherwise, or in another number of pixels */
-    VERDICT_FAILED     /* could not be drawn or compared */
+    VERDICT_FAILED,    /* could not be drawn or compared */
+    VERDICT_COUNT
 };
 
 struct result {
@@ -31,6 +33,9 @@ struct result {
 void fgl_result_compare(struct result *result, const struct image *ours, const struct image *reference,
                         const struct departure_list *departures);
 
+/* The result of a picture that the reference cannot draw. */
+void fgl_result_undrawn(struct result *result, const struct image *ours, const struct departure *departure);
+
 /* The result of a picture of which one or both drawings are missing. */
 void fgl_result_fail(struct result *result, const struct problem *problem);
 
@@ -39,6 +44,9 @@ char *fgl_result_line(const struct result *result);
 
 /* The head of that table. */
 const char *fgl_result_table_head(void);
+
+/* How many pictures got which verdict, in a line; the caller frees it. */
+char *fgl_result_summary(const int verdicts[VERDICT_COUNT]);
 
 /* The sum over all pictures: its table line and how many got which verdict. Returns how many differ or
  * failed. */

@@ -57,7 +57,7 @@ static bool init_context(struct osmesa_context *c, OSMesaContext share)
     ctx->vertices = ctx->immediate;
     ctx->pipeline = fgl_pipeline_create();
     if (ctx->color_index && ctx->pipeline)
-        fgl_explain_stop(ctx->pipeline); /* the lighting equation of indexes is not explained */
+        fgl_explain_refuse(ctx->pipeline, "pixels of color index contexts are not explained");
     if (share) {
         fgl_list_store_retain(share->gl.lists);
         fgl_buffer_store_retain(share->gl.buffers);

@@ -36,6 +36,13 @@ void fgl_explain_stop(struct pipeline *p)
     p->explain = NULL;
 }
 
+void fgl_explain_refuse(struct pipeline *p, const char *why)
+{
+    if (p->explain)
+        fprintf(stderr, "FixedGL: %s\n", why);
+    fgl_explain_stop(p);
+}
+
 void fgl_explain_from_environment(struct pipeline *p)
 {
     static atomic_flag taken = ATOMIC_FLAG_INIT;

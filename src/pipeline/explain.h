@@ -104,6 +104,8 @@ struct explain {
 /* Arms window pixel x, y, or disarms with x < 0. False when memory is short. */
 bool fgl_explain_start(struct pipeline *p, int x, int y);
 void fgl_explain_stop(struct pipeline *p);
+/* The same, with a word to whoever asked by FIXEDGL_EXPLAIN. */
+void fgl_explain_refuse(struct pipeline *p, const char *why);
 /* FIXEDGL_EXPLAIN=x,y[,vertex] arms the first context of the process. */
 void fgl_explain_from_environment(struct pipeline *p);
 

@@ -212,6 +212,35 @@ test_departures() {
     diff_pictures 1
 }
 
+# Pictures that the reference cannot draw.
+test_undrawn() {
+    printf '%s\n' 'same same 4x2' 'crash-reference crash-reference 4x2' >list
+    echo 'crash-reference indexes undrawn the reference has no such mode' >departures
+    diff_pictures 0
+    says "2 pictures: 1 identical, 0 by named departures, 0 differ, 0 failed, 1 not drawn by the reference"
+    says "not drawn by the reference: indexes"
+    check "drawn all the same" [ -e report/crash-reference.fixedgl.png ]
+    check "the report counts it" grep -q '1 not drawn by the reference' report/index.html
+    echo 'same indexes undrawn the reference has no such mode' >departures
+    diff_pictures 1
+    says "the reference draws it, but departures says that it cannot"
+    printf '%s\n' 'crash crash 4x2' >list
+    echo 'crash indexes undrawn the reference has no such mode' >departures
+    diff_pictures 1
+    says "FAILED: FixedGL: crashed: signal 11"
+    for line in 'crash indexes undrawn' 'crash indexes undrawable reason' 'crash indexes 1x reason'; do
+        echo "$line" >departures
+        diff_pictures 2
+        says "departures:1: "
+    done
+    for pixels in 1 undrawn; do
+        printf '%s\n' "crash a $pixels reason" 'crash b undrawn reason' >departures
+        diff_pictures 2
+        says "departures:2: "
+    done
+    : >departures
+}
+
 test_goldens() {
     printf '%s\n' 'same same 4x2' 'flat flat 4x2' 'five five 4x2 key a' >list
     diff_pictures 0 --record goldens
@@ -225,6 +254,13 @@ test_goldens() {
     cp -r goldens again
     diff_pictures 0 --record again
     check "recording again changes no byte" diff -r goldens again
+    echo 'same indexes undrawn the reference has no such mode' >departures
+    diff_pictures 0 --record fewer
+    says "2 goldens in fewer"
+    check "no golden of what is not drawn" [ ! -e fewer/same.png ]
+    diff_pictures 0 --reference goldens --goldens fewer same
+    says "1 not drawn by the reference"
+    : >departures
     # The goldens hold what the reference drew, not what FixedGL draws.
     with_goldens="--reference goldens --goldens goldens"
     diff_pictures 1 $with_goldens
@@ -293,6 +329,7 @@ fi
 test_counts
 test_failures
 test_departures
+test_undrawn
 test_report
 echo "test_diff.sh: $checks checks, $failures failed"
 [ $failures = 0 ]

@@ -31,6 +31,7 @@ expect 2 '^fixedgl: explain: --vertex cannot be .3.$' "$light" --pixel 1,1 --ver
 expect 2 'not an option' "$light" --pixel 1,1 --colour
 expect 2 '^fixedgl: explain: cannot start no-such-program' no-such-program --pixel 1,1
 expect 2 '^fixedgl: explain: .* drew nothing with FixedGL$' /bin/true --pixel 1,1
+expect 2 '^fixedgl: explain: pixels of color index contexts are not explained$' "$build/examples/index" --pixel 1,1
 if [ "$(echo "$output" | wc -l)" -ne 1 ]; then
     echo "a mistake takes more than one line"
     failed=1
