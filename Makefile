@@ -56,14 +56,14 @@ FIXEDGL = $(BUILD)/bin/fixedgl
 MEASURE = $(BUILD)/bin/fixedgl-measure
 RPATH = -Wl,-rpath,'$$ORIGIN/../lib'
 
-.PHONY: all libs help deps diff test check asan bench goldens vec-report identity fuzz-diff piglit install clean format \
+.PHONY: all libs help deps diff test check asan bench tradeoff goldens vec-report identity fuzz-diff piglit install clean format \
         test-programs diff-run
 
 all: $(LIBS) $(FIXEDGL) $(MEASURE) $(EXAMPLES)
 libs: $(LIBS)
 
 help:
-	@sed -n '3,4p' Makefile; echo '#   make asan | bench | goldens | vec-report | identity | fuzz-diff | piglit | install | clean | format'
+	@sed -n '3,4p' Makefile; echo '#   make asan | bench | tradeoff | goldens | vec-report | identity | fuzz-diff | piglit | install | clean | format'
 
 $(BUILD)/src/%.o: src/%.c
 	@mkdir -p $(@D)
@@ -181,6 +181,10 @@ $(BUILD)/tests/bench/bench: $(wildcard tests/bench/*.c tests/bench/*.h)
 bench: deps
 	$(MAKE) -j$(JOBS) libs $(BUILD)/tests/bench/bench
 	$(BUILD)/tests/bench/bench $(LIB)/libfixedgl.so libOSMesa.so.8
+
+tradeoff: deps
+	$(MAKE) -j$(JOBS) libs $(FIXEDGL) $(MEASURE)
+	$(FIXEDGL) tradeoff --out $(BUILD)/tradeoff
 
 vec-report:
 	tests/tools/vec_report.sh

@@ -12,6 +12,9 @@ int fgl_cli_explain(int argc, char **argv);
 /* Runs a program and prints the plans of its draws, with their costs. */
 int fgl_cli_plan(int argc, char **argv);
 
+/* Measures speed and accuracy of each mode and of OSMesa. */
+int fgl_cli_tradeoff(int argc, char **argv);
+
 /* Prints what FixedGL, OSMesa or a given library says about itself. */
 int fgl_cli_info(int argc, char **argv);
 

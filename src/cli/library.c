@@ -171,17 +171,23 @@ bool fgl_library_query(const char *library, struct library_facts *facts, struct 
     return true;
 }
 
-char *fgl_library_own(void)
+char *fgl_library_beside(const char *file)
 {
     char self[PATH_MAX];
     if (own_path(self)) {
         *strrchr(self, '/') = '\0';
-        char *path = fgl_format("%s/../lib/libfixedgl.so", self);
+        char *path = fgl_format("%s/%s", self, file);
         if (access(path, R_OK) == 0)
             return path;
         free(path);
     }
-    return fgl_format("libfixedgl.so");
+    const char *name = strrchr(file, '/');
+    return fgl_format("%s", name != NULL ? name + 1 : file);
+}
+
+char *fgl_library_own(void)
+{
+    return fgl_library_beside("../lib/libfixedgl.so");
 }
 
 #if defined(__x86_64__) || defined(__i386__)

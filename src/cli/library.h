@@ -26,6 +26,10 @@ bool fgl_library_query(const char *library, struct library_facts *facts, struct 
  */
 char *fgl_library_own(void);
 
+/* Path of a file that belongs to this program, given from its folder; its plain name if it is not there. To be freed.
+ */
+char *fgl_library_beside(const char *file);
+
 /* Whether the CPU has fused multiply-add instructions. Without them Mesa's OSMesa draws other pictures. */
 bool fgl_cpu_has_fma(void);
 

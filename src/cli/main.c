@@ -19,6 +19,7 @@ static const struct subcommand subcommands[] = {
         {"explain", "run a program and print why a pixel has its colour", fgl_cli_explain},
         {"info", "print what FixedGL and OSMesa say about themselves", fgl_cli_info},
         {"plan", "run a program and print the plans of its draws, with their costs", fgl_cli_plan},
+        {"tradeoff", "measure speed and accuracy of each mode, and of OSMesa", fgl_cli_tradeoff},
 };
 
 static int print_help(void)

@@ -5,7 +5,8 @@
 #include "oracle/random.h"
 #include "oracle/scene.h"
 
-/* The greatest error allowed of a color component in [0,1]; 0: measured only. exact: in units of the last place. */
+/* The greatest error allowed of a color component in [0,1]; 0: measured only. exact: in units of the last
+ * place. */
 struct oracle_bounds {
     double exact, compatible;
 };

@@ -68,7 +68,8 @@ void generate_cone_edge(struct random *r, struct oracle_scene *s, double cutoff)
     oracle_aim_normals(r, s);
 }
 
-/* parameter: how far the vertices are from the edge of the cone, inside or outside; as near as floats allow */
+/* parameter: how far the vertices are from the edge of the cone, inside or outside; as near as floats allow
+ */
 void generate_near_cone_edge(struct random *r, struct oracle_scene *s, double degrees)
 {
     oracle_ordinary_in_eye_space(r, s, 1);

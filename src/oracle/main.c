@@ -1,7 +1,8 @@
 /*
- * fixedgl-measure: measures one renderer at one job, for `fixedgl tradeoff`, which runs it in a process of its own
- * for each. The renderer is the GL that the program finds (FixedGL in the mode of FIXEDGL_ACCURACY, or a preloaded
- * OSMesa), or one of its own: --plain, --truth. Output: a line for each figure, fields separated by tabs.
+ * fixedgl-measure: measures one renderer at one job, for `fixedgl tradeoff`, which runs it in a process of
+ * its own for each. The renderer is the GL that the program finds (FixedGL in the mode of FIXEDGL_ACCURACY,
+ * or a preloaded OSMesa), or one of its own: --plain, --truth. Output: a line for each figure, fields
+ * separated by tabs.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,6 +10,7 @@
 
 #include "oracle/measure.h"
 #include "oracle/plain.h"
+#include "oracle/raster_measure.h"
 #include "oracle/spheres.h"
 #include "oracle/sweeps.h"
 
@@ -18,6 +20,8 @@ static const char usage[] =
         "  list             the jobs and their names\n"
         "  renderer         what draws\n"
         "  lighting NAME    the error of lit colors in a category, and the time per vertex\n"
+        "  triangles NAME   the errors of coverage, color and depth in a category, and the time per "
+        "triangle\n"
         "  sweep NAME       the error at each point from one extreme to the other\n"
         "  sphere NAME FILE a picture of what an extreme does, as PAM\n";
 
@@ -62,6 +66,24 @@ static bool measure_lighting(const struct settings *settings, const char *name)
     return false;
 }
 
+/* A hundredth as many triangles as vertices: each has hundreds of pixels. */
+static bool measure_triangles(const struct settings *settings, const char *name)
+{
+    for (int i = 0; i < raster_category_count; i++) {
+        if (strcmp(raster_categories[i].name, name) != 0)
+            continue;
+        if (!raster_open())
+            return false;
+        const struct raster_error e = raster_measure(i, settings->seed, (settings->vertices + 99) / 100);
+        printf("error\t%.6g\t%.6g\t%.6g\t%ld\t%ld\t%ld\t%.4g\t%.6g\t%.6g\t%.6g\t%ld\t%ld\n", e.color.max,
+               e.color.p999, e.color.mean, e.wrong_bytes, e.invalid, e.pixels, e.ns, e.depth.max,
+               e.depth.p999, e.depth.mean, e.wrong_coverage, e.other_corners);
+        raster_close();
+        return true;
+    }
+    return false;
+}
+
 static bool measure_sweep(const struct settings *settings, const char *name)
 {
     for (int i = 0; i < oracle_sweep_count; i++) {
@@ -71,7 +93,7 @@ static bool measure_sweep(const struct settings *settings, const char *name)
         for (int step = 0; step < sweep->steps; step++) {
             const double at = oracle_sweep_at(sweep, step);
             const uint64_t stream = (uint64_t)(1000 * (i + 1) + step);
-            const struct oracle_measurement m = {sweep->generate, at, settings->seed, stream,
+            const struct oracle_measurement m = {sweep->generate,     at, settings->seed, stream,
                                                  scenes_of(settings), 0};
             const struct oracle_error error = oracle_measure(&m, settings->render);
             printf("point\t%.6g", at);
@@ -95,6 +117,8 @@ static bool list(void)
 {
     for (int i = 0; i < oracle_category_count; i++)
         printf("lighting\t%s\n", oracle_categories[i].name);
+    for (int i = 0; i < raster_category_count; i++)
+        printf("triangles\t%s\n", raster_categories[i].name);
     for (int i = 0; i < oracle_sweep_count; i++)
         printf("sweep\t%s\t%d\n", oracle_sweeps[i].name, oracle_sweeps[i].logarithmic);
     for (int i = 0; i < oracle_sphere_count; i++)
@@ -110,6 +134,8 @@ static bool run(const struct settings *settings, int count, char **word)
         return count == 1 && printf("%s\n", (const char *)glGetString(GL_RENDERER)) > 0;
     if (strcmp(word[0], "lighting") == 0)
         return count == 2 && measure_lighting(settings, word[1]);
+    if (strcmp(word[0], "triangles") == 0)
+        return count == 2 && settings->render == oracle_draw && measure_triangles(settings, word[1]);
     if (strcmp(word[0], "sweep") == 0)
         return count == 2 && measure_sweep(settings, word[1]);
     return strcmp(word[0], "sphere") == 0 && count == 3 && draw_sphere(settings, word[1], word[2]);

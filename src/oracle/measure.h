@@ -16,10 +16,10 @@ struct oracle_error {
     long components;
     double max, mean, p999; /* the greatest, the mean, the 99.9th percentile */
     double ulps;            /* the greatest, in units of the last place of the truth as a float */
-    long wrong_bytes; /* components that differ from the truth when both are rounded to 8 bits, and not because
-                         no float lies between the truth and where the byte changes */
-    long invalid;     /* NaN, infinite or outside [0,1] */
-    long at_edge;     /* components left out: closer than the margin to where the equation jumps */
+    long wrong_bytes;       /* components that differ from the truth when both are rounded to 8 bits, and not
+                               because       no float lies between the truth and where the byte changes */
+    long invalid;           /* NaN, infinite or outside [0,1] */
+    long at_edge;           /* components left out: closer than the margin to where the equation jumps */
     struct oracle_worst worst;
 };
 

@@ -84,8 +84,8 @@ static float clamp(float x)
 }
 
 static void add_light(const struct oracle_state *state, const struct oracle_light *light,
-                      const struct oracle_material *m, struct vector position, struct vector n, float primary[3],
-                      float secondary[3])
+                      const struct oracle_material *m, struct vector position, struct vector n,
+                      float primary[3], float secondary[3])
 {
     const float w = light->position[3], pi = 3.14159265f;
     struct vector L = transform(state->light_modelview, light->position, w);
@@ -103,10 +103,10 @@ static void add_light(const struct oracle_state *state, const struct oracle_ligh
     }
     const struct vector viewer = state->local_viewer ? unit(times(-1, position)) : (struct vector){0, 0, 1};
     const float diffuse = fmaxf(dot(n, L), 0);
-    const float specular =
-            dot(n, L) > 0 ? powf(fmaxf(dot(n, unit(sum(L, viewer))), 0), m->shininess) : 0;
+    const float specular = dot(n, L) > 0 ? powf(fmaxf(dot(n, unit(sum(L, viewer))), 0), m->shininess) : 0;
     for (int k = 0; k < 3; k++) {
-        primary[k] += factor * (light->ambient[k] * m->ambient[k] + diffuse * light->diffuse[k] * m->diffuse[k]);
+        primary[k] +=
+                factor * (light->ambient[k] * m->ambient[k] + diffuse * light->diffuse[k] * m->diffuse[k]);
         secondary[k] += factor * specular * light->specular[k] * m->specular[k];
     }
 }

@@ -42,8 +42,8 @@ static int64_t area_of(const struct raster_setup *s)
     return (s->x[1] - s->x[0]) * (s->y[2] - s->y[0]) - (s->x[2] - s->x[0]) * (s->y[1] - s->y[0]);
 }
 
-/* Corner i of the triangle lies opposite of edge i; homogeneous, so that no division by w is needed (Olano and Greer,
- * 1997): (a, b, c) is the cross product of the other two corners' (x, y, w). */
+/* Corner i of the triangle lies opposite of edge i; homogeneous, so that no division by w is needed (Olano
+ * and Greer, 1997): (a, b, c) is the cross product of the other two corners' (x, y, w). */
 static void set_edges(struct raster_setup *s)
 {
     for (int i = 0; i < 3; i++) {
@@ -53,8 +53,8 @@ static void set_edges(struct raster_setup *s)
         s->edge[i][2] = (quad)p[0] * (quad)q[1] - (quad)p[1] * (quad)q[0];
     }
     const float *first = s->triangle->vertex[0].clip;
-    const quad determinant = s->edge[0][0] * (quad)first[0] + s->edge[0][1] * (quad)first[1] +
-                             s->edge[0][2] * (quad)first[3];
+    const quad determinant =
+            s->edge[0][0] * (quad)first[0] + s->edge[0][1] * (quad)first[1] + s->edge[0][2] * (quad)first[3];
     s->flat = determinant == 0;
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
@@ -81,8 +81,8 @@ void oracle_raster_setup(const struct raster_triangle *triangle, struct raster_s
     }
 }
 
-/* Counterclockwise: the inside is left of each edge. On the edge, inside if the edge goes down or, horizontal, to the
- * right: a left or a bottom edge. */
+/* Counterclockwise: the inside is left of each edge. On the edge, inside if the edge goes down or,
+ * horizontal, to the right: a left or a bottom edge. */
 static enum raster_coverage snapped_coverage(const struct raster_setup *s, int x, int y)
 {
     const int64_t px = SUBPIXELS * (int64_t)x + SUBPIXELS / 2, py = SUBPIXELS * (int64_t)y + SUBPIXELS / 2;
@@ -118,7 +118,8 @@ static void plane_of(const struct raster_setup *s, int component, quad plane[3])
     }
 }
 
-/* Whether the pixel's center is on the inner side of a line, if it is not too near: RASTER_INSIDE if it is. */
+/* Whether the pixel's center is on the inner side of a line, if it is not too near: RASTER_INSIDE if it is.
+ */
 static enum raster_coverage side_of(const quad line[3], int x, int y)
 {
     const quad margin = (quad)1 / 128 / HALF, at = line_at(line, x, y);

@@ -26,7 +26,8 @@ static void color_at_random(struct random *r, struct raster_triangle *t)
 
 static void within(struct random *r, struct raster_triangle *t, float radius, float most_w, float most_z)
 {
-    const float reach = 1 - radius, x = random_between(r, -reach, reach), y = random_between(r, -reach, reach);
+    const float reach = 1 - radius, x = random_between(r, -reach, reach),
+                y = random_between(r, -reach, reach);
     color_at_random(r, t);
     for (int i = 0; i < 3; i++)
         place(&t->vertex[i], x + random_between(r, -radius, radius), y + random_between(r, -radius, radius),
@@ -141,8 +142,8 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Device coordinates of the lines between columns; in meshes of many they are very near to one another, so they stay
- * straight: rounding must not fold the mesh. */
+/* Device coordinates of the lines between columns; in meshes of many they are very near to one another, so
+ * they stay straight: rounding must not fold the mesh. */
 static void divide(struct random *r, float *at, int parts, bool thin)
 {
     for (int i = 0; i <= parts; i++)
@@ -163,9 +164,11 @@ int raster_mesh(const struct raster_category *category, struct random *r, struct
     divide(r, y, ROWS, false);
     for (int i = 0; i <= columns; i++)
         for (int j = 0; j <= ROWS; j++) {
-            const float dx = thin || i == 0 || i == columns ? 0 : random_between(r, -0.4f, 0.4f) / (float)columns;
+            const float dx =
+                    thin || i == 0 || i == columns ? 0 : random_between(r, -0.4f, 0.4f) / (float)columns;
             const float dy = j == 0 || j == ROWS ? 0 : random_between(r, -0.4f, 0.4f) / ROWS;
-            place(&point[i][j], x[i] + dx, y[j] + dy, 0, category->perspective ? random_magnitude(r, 0.1f, 10) : 1);
+            place(&point[i][j], x[i] + dx, y[j] + dy, 0,
+                  category->perspective ? random_magnitude(r, 0.1f, 10) : 1);
         }
     for (int i = 0; i < columns; i++)
         for (int j = 0; j < ROWS; j++) {

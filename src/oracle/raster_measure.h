@@ -14,7 +14,8 @@ struct error_summary {
 struct raster_error {
     long pixels;         /* colored and compared */
     long wrong_coverage; /* colored and should not be, or the reverse; of meshes: not colored exactly once */
-    long other_corners;  /* the same, nearer to an edge than 1/128 of a pixel: a corner was rounded otherwise */
+    long other_corners;  /* the same, nearer to an edge than 1/128 of a pixel: a corner was rounded otherwise
+                          */
     struct error_summary color; /* after clamping to [0,1] */
     struct error_summary depth; /* in units of 2^-24 */
     long wrong_bytes;           /* colors that differ from the truth when both are rounded to 8 bits */
@@ -39,14 +40,15 @@ extern const int raster_category_count;
 enum { RASTER_MESH_MOST = 4096 }; /* triangles */
 
 /* A mesh that covers the whole window: every pixel lies in one triangle. Returns the number of triangles. */
-int raster_mesh(const struct raster_category *category, struct random *random, struct raster_triangle *triangle);
+int raster_mesh(const struct raster_category *category, struct random *random,
+                struct raster_triangle *triangle);
 
 /* Makes a context for raster_measure current: false if that fails. */
 bool raster_open(void);
 void raster_close(void);
 
-/* Draws so many triangles, or a tenth as many meshes, and compares. Triangle number i of a category is the same for
- * the same seed. */
+/* Draws so many triangles, or a tenth as many meshes, and compares. Triangle number i of a category is the
+ * same for the same seed. */
 struct raster_error raster_measure(int category, uint64_t seed, int count);
 
 #endif

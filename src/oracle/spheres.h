@@ -17,8 +17,8 @@ struct oracle_sphere {
 extern const struct oracle_sphere oracle_spheres[];
 extern const int oracle_sphere_count;
 
-/* Writes the picture as PAM: each pixel is a vertex lit by the renderer. Colors that are no numbers are shown in
- * magenta. False if the file cannot be written. */
+/* Writes the picture as PAM: each pixel is a vertex lit by the renderer. Colors that are no numbers are shown
+ * in magenta. False if the file cannot be written. */
 bool oracle_sphere_write(const struct oracle_sphere *sphere, oracle_renderer *render, const char *path);
 
 #endif

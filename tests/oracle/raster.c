@@ -1,8 +1,9 @@
 /*
  * Triangles against the oracle, category by category: coverage by integers, color and depth in 113 bits.
  *
- * environment: FIXEDGL_SEED, the seed (printed); FIXEDGL_TRIANGLES, triangles per category. LD_PRELOAD=libOSMesa.so.8
- * measures OSMesa instead; argument --table: print the figures of all categories and assert nothing.
+ * environment: FIXEDGL_SEED, the seed (printed); FIXEDGL_TRIANGLES, triangles per category.
+ * LD_PRELOAD=libOSMesa.so.8 measures OSMesa instead; argument --table: print the figures of all categories
+ * and assert nothing.
  */
 #include <math.h>
 #include <setjmp.h>
@@ -37,16 +38,17 @@ static void read_environment(void)
 static struct raster_error measure(int category)
 {
     const struct raster_error e = raster_measure(category, seed, triangles);
-    printf("%-38s pixels %7ld  coverage %ld + %ld  color max %.1e  99.9%% %.1e  bytes %5ld  invalid %ld  depth max %.1f  99.9%% "
+    printf("%-38s pixels %7ld  coverage %ld + %ld  color max %.1e  99.9%% %.1e  bytes %5ld  invalid %ld  "
+           "depth max %.1f  99.9%% "
            "%.1f\n",
-           raster_categories[category].name, e.pixels, e.wrong_coverage, e.other_corners, e.color.max, e.color.p999, e.wrong_bytes,
-           e.invalid, e.depth.max, e.depth.p999);
+           raster_categories[category].name, e.pixels, e.wrong_coverage, e.other_corners, e.color.max,
+           e.color.p999, e.wrong_bytes, e.invalid, e.depth.max, e.depth.p999);
     fflush(stdout);
     return e;
 }
 
-/* In every mode: no pixel too many or too few, no crack between triangles and no pixel twice, no NaN. In compatible mode
- * the corners are OSMesa's, floats, which may round to another 1/256 of a pixel. */
+/* In every mode: no pixel too many or too few, no crack between triangles and no pixel twice, no NaN. In
+ * compatible mode the corners are OSMesa's, floats, which may round to another 1/256 of a pixel. */
 static struct raster_error check_coverage(int category)
 {
     const struct raster_error error = measure(category);
@@ -85,9 +87,8 @@ static void test_worked_example(void **unused)
 {
     (void)unused;
     /* The lower left half of the window's quarter, w = 1, 2, 4 and red at the corner of w = 2. */
-    const struct raster_triangle triangle = {{{{0, 0, 0, 1}, {0, 0, 0, 1}},
-                                              {{1, 0, 2, 2}, {1, 0, 0, 1}},
-                                              {{0, 2, -4, 4}, {0, 0, 0, 1}}}};
+    const struct raster_triangle triangle = {
+            {{{0, 0, 0, 1}, {0, 0, 0, 1}}, {{1, 0, 2, 2}, {1, 0, 0, 1}}, {{0, 2, -4, 4}, {0, 0, 0, 1}}}};
     struct raster_setup setup;
     oracle_raster_setup(&triangle, &setup);
     assert_false(setup.clipped);
