@@ -21,28 +21,36 @@ static GLenum source_error(const struct context *ctx, GLenum internal_format)
     return GL_NO_ERROR;
 }
 
-/* n pixels of the framebuffer to texels. Row y counts from the top. */
-static void copy_run(struct context *ctx, struct texture_image *image, int x, int y, int n, int to_x, int to_y, int to_z)
+/* n depths of the framebuffer to texels. Row y counts from the top. */
+static void copy_depths(struct context *ctx, struct texture_image *image, int x, int y, int n, int to_x, int to_y, int to_z)
 {
-    const struct framebuffer *fb = ctx->framebuffer;
-    const bool depth = image->kind == TEXELS_DEPTH;
-    float pixel[4 * PIXEL_CHUNK] = {0}, plane[4][PIXEL_CHUNK];
+    uint32_t depth[PIXEL_CHUNK] = {0};
     const struct pixel_pack pack = {
-            .image = fgl_pixel_image(&fgl_packed_store, depth ? GL_DEPTH_COMPONENT : GL_RGBA, GL_FLOAT, n, pixel),
+            .image = fgl_pixel_image(&fgl_packed_store, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, n, depth),
             .mode = &ctx->s.pixel_mode,
             .maps = ctx->pixel_map,
     };
-    fgl_pack_row(&pack, fb, x, y, n, 0, 0);
-    if (depth) {
-        fgl_texture_store_depth(image, to_x, to_y, to_z, n, pixel);
-        return;
-    }
+    fgl_pack_row(&pack, ctx->framebuffer, x, y, n, 0, 0);
+    for (int i = 0; i < n; i++)
+        depth[i] >>= 32 - image->format->bits[0];
+    fgl_texture_store_depth(image, to_x, to_y, to_z, n, depth);
+}
+
+/* The same with colours. */
+static void copy_colors(struct context *ctx, struct texture_image *image, int x, int y, int n, int to_x, int to_y, int to_z)
+{
+    float pixel[4 * PIXEL_CHUNK] = {0}, plane[4][PIXEL_CHUNK];
+    const float *const planes[4] = {plane[0], plane[1], plane[2], plane[3]};
+    const struct pixel_pack pack = {
+            .image = fgl_pixel_image(&fgl_packed_store, GL_RGBA, GL_FLOAT, n, pixel),
+            .mode = &ctx->s.pixel_mode,
+            .maps = ctx->pixel_map,
+    };
+    fgl_pack_row(&pack, ctx->framebuffer, x, y, n, 0, 0);
     for (int i = 0; i < n; i++)
         for (int c = 0; c < 4; c++)
             plane[c][i] = pixel[4 * i + c];
-    const float *const planes[4] = {plane[0], plane[1], plane[2], plane[3]};
-    fgl_texture_store_color(image, to_x, to_y, to_z, n, planes,
-                            fb->color_kind == COLOR_UNORM8 && !fgl_transfer_color_active(pack.mode));
+    fgl_texture_store_color(image, to_x, to_y, to_z, n, planes, false);
 }
 
 /* What lies outside of the framebuffer is undefined: its texels stay as they are. */
@@ -52,9 +60,11 @@ static void copy(struct context *ctx, struct texture_image *image, struct source
     const int64_t right = (int64_t)from.x + from.width, top = (int64_t)from.y + from.height;
     const int x0 = fgl_max(from.x, 0), x1 = right < fb->width ? (int)right : fb->width;
     const int y0 = fgl_max(from.y, 0), y1 = top < fb->height ? (int)top : fb->height;
+    void (*const run)(struct context *, struct texture_image *, int, int, int, int, int, int) =
+            image->kind == TEXELS_DEPTH ? copy_depths : copy_colors;
     for (int y = y0; y < y1; y++)
         for (int x = x0; x < x1; x += PIXEL_CHUNK)
-            copy_run(ctx, image, x, fb->height - 1 - y, fgl_min(PIXEL_CHUNK, x1 - x), to_x + x - from.x, to_y + y - from.y,
+            run(ctx, image, x, fb->height - 1 - y, fgl_min(PIXEL_CHUNK, x1 - x), to_x + x - from.x, to_y + y - from.y,
                      to_z);
 }
 

@@ -16,17 +16,32 @@ static GLenum format_error(const struct texture_image *image, GLenum format, GLe
     return GL_NO_ERROR;
 }
 
+/* Colours as integers where the texels are whole bytes or words; else as floats, but fields as bytes if that is all that is asked for. */
+static void load_run(const struct texture_image *image, bool to_bytes, int x, int y, int z, int n, struct fetched_row *row)
+{
+    const struct texture_format *f = image->format;
+    const int bits = f->base_format == GL_ALPHA ? f->bits[3] : f->bits[0];
+    uint32_t *const integers[4] = {row->integer[0], row->integer[1], row->integer[2], row->integer[3]};
+    float *const floats[4] = {row->color.channel[0], row->color.channel[1], row->color.channel[2], row->color.channel[3]};
+    row->bits = bits == 16 ? 16 : bits == 8 || (bits < 8 && to_bytes) ? 8 : 0;
+    if (row->bits)
+        fgl_texture_load_integers(image, x, y, z, n, integers);
+    else
+        fgl_texture_load_color(image, x, y, z, n, floats);
+}
+
 /* n texels from (x, y, z) on. */
 static void pack_run(const struct pixel_pack *pack, const struct texture_image *image, int x, int y, int z, int n)
 {
-    struct color_row colors;
+    const struct pixel_type *type = pack->image.type;
+    const bool to_bytes = type->type == GL_UNSIGNED_BYTE || (type->fields && type->bits[0] <= 8);
+    struct fetched_row row;
     if (image->kind == TEXELS_DEPTH) {
         fgl_pack_depths(pack, (const float *)image->texels + fgl_texel_index(image, x, y, z), n, y, x);
         return;
     }
-    float *const planes[4] = {colors.channel[0], colors.channel[1], colors.channel[2], colors.channel[3]};
-    fgl_texture_load_color(image, x, y, z, n, planes);
-    fgl_pack_colors(pack, &colors, n, y, x);
+    load_run(image, to_bytes, x, y, z, n, &row);
+    fgl_pack_colors(pack, &row, image->format->base_format == GL_RGBA, n, y, x);
 }
 
 /* No pixel transfer takes place. */

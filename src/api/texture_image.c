@@ -100,12 +100,25 @@ struct pixel_source {
     const void *pixels;
 };
 
-/* Whether colours arrive as whole bytes. */
-static bool from_bytes(const struct context *ctx, const struct pixel_image *image)
+/* OSMesa rule: integers are brought to the texels' precision before anything else: 16 bits to 16, at most 8 through 8, 10 as floats. */
+static enum unpack_steps steps_of(const struct texture_format *format)
 {
-    const struct pixel_type *type = image->type;
-    return !fgl_transfer_color_active(&ctx->s.pixel_mode) &&
-           (type->type == GL_UNSIGNED_BYTE || (type->fields && type->bits[0] <= 8));
+    if (format->kind == TEXELS_UNORM8)
+        return UNPACK_UNORM8;
+    return format->bits[0] == 10 ? UNPACK_FLOAT : UNPACK_UNORM16;
+}
+
+/* OSMesa rule: what indexes become is bytes; and so is, on the way to fields of at most 8 bits, everything but floats as GL_RGBA, and on the
+ * way to 10 bits only RGBA bytes in this order. */
+static bool through_bytes(const struct context *ctx, const struct texture_format *texels, GLenum format, GLenum type)
+{
+    if (format == GL_COLOR_INDEX)
+        return true;
+    if (fgl_transfer_color_active(&ctx->s.pixel_mode))
+        return false;
+    if (texels->kind == TEXELS_UNORM8)
+        return texels->bits[0] != 8 && !(format == GL_RGBA && type == GL_FLOAT);
+    return format == GL_RGBA && (type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_INT_8_8_8_8_REV);
 }
 
 /* n pixels of a row, from `column` on, to texels from x on. */
@@ -114,8 +127,9 @@ static void store_pixels(const struct pixel_unpack *unpack, struct texture_image
 {
     struct color_row colors;
     if (image->kind == TEXELS_DEPTH) {
-        fgl_unpack_depth(unpack, row, column, n, colors.channel[0]);
-        fgl_texture_store_depth(image, x, y, z, n, colors.channel[0]);
+        uint32_t depth[PIXEL_CHUNK];
+        fgl_unpack_depth_texels(unpack, row, column, n, image->format->bits[0], depth);
+        fgl_texture_store_depth(image, x, y, z, n, depth);
         return;
     }
     fgl_unpack_color(unpack, row, column, n, &colors);
@@ -131,8 +145,8 @@ static void store_image(struct context *ctx, const struct texture_call *call, co
               border_z = call->dimensions > 2 ? border : 0;
     const int width = call->width - 2 * border, height = call->height - 2 * border_y, depth = call->depth - 2 * border_z;
     const struct pixel_image whole = fgl_pixel_image(source->store, call->format, call->type, call->width, source->pixels);
-    struct pixel_unpack unpack = {.mode = &ctx->s.pixel_mode, .maps = ctx->pixel_map};
-    const bool bytes = from_bytes(ctx, &whole);
+    struct pixel_unpack unpack = {.mode = &ctx->s.pixel_mode, .maps = ctx->pixel_map, .steps = steps_of(image->format)};
+    const bool bytes = through_bytes(ctx, image->format, call->format, call->type);
     for (int z = 0; z < depth; z++) {
         unpack.image = call->dimensions < 3 ? whole : fgl_pixel_slice(whole, source->store, call->height, z + border_z);
         for (int y = 0; y < height; y++)
@@ -144,7 +158,8 @@ static void store_image(struct context *ctx, const struct texture_call *call, co
 
 bool fgl_texture_define(struct context *ctx, const struct texture_call *call, const struct image_target *t)
 {
-    const struct image_shape shape = {(GLenum)call->internal_format, call->width, call->height, call->depth, call->border};
+    const GLenum internal_format = (GLenum)call->internal_format;
+    const struct image_shape shape = {internal_format, fgl_texture_format_for(internal_format, call->format, call->type), call->width, call->height, call->depth, call->border};
     if (!t->proxy)
         fgl_texture_touch(ctx, fgl_bound_texture(ctx, t->target));
     if (fgl_texture_image_define(fgl_target_image(ctx, t, call->level), t->target, &shape, t->proxy))

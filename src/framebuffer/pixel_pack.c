@@ -1,6 +1,8 @@
 /* Packing a row: fetch from the framebuffer, pixel transfer, convert each component to the type, store. */
 #include "framebuffer/pixel_pack.h"
 
+#include "base/unorm.h"
+
 #include "framebuffer/rows.h"
 
 #include <string.h>
@@ -11,29 +13,7 @@ struct component_row {
     uint32_t value[PIXEL_MAX_COMPONENTS][PIXEL_CHUNK];
 };
 
-/* A chunk of framebuffer colours: integers of `bits` bits, or floats when bits is 0. */
-struct fetched_row {
-    int bits;
-    uint32_t integer[4][PIXEL_CHUNK];
-    struct color_row color;
-};
-
 /* ---- conversion of a component ---- */
-
-static uint32_t max_of(int bits)
-{
-    return 0xffffffffu >> (32 - bits);
-}
-
-/* An unsigned normalized integer to another width, 1..32 bits. OSMesa rule: fewer bits are rounded, more bits
- * repeat the pattern. */
-static uint32_t resize_unorm(uint32_t v, int from, int to)
-{
-    if (to < from)
-        return (uint32_t)(((uint64_t)v * max_of(to) + (max_of(from) >> 1)) / max_of(from));
-    const int rest = to % from;
-    return v * (max_of(to) / max_of(from)) + (rest ? v >> (from - rest) : 0);
-}
 
 /* A float to a normalized integer with the given maximum. OSMesa rule: the product is a float; it is rounded
  * half to even, half up in packed pixels; unsigned components are clamped to [0,1], signed ones to [-1,1]. */
@@ -102,10 +82,10 @@ static void fetch_565(const struct framebuffer *fb, size_t at, int n, struct fet
     const uint16_t *pixel = (const uint16_t *)fb->color + at;
     row->bits = bytes ? 8 : 0;
     for (int c = 0; c < 3; c++) {
-        const float step = 1.0f / (float)max_of(bits[c]);
+        const float step = 1.0f / (float)fgl_unorm_max(bits[c]);
         for (int i = 0; i < n; i++) {
-            const uint32_t v = (uint32_t)pixel[i] >> shift[c] & max_of(bits[c]);
-            row->integer[c][i] = resize_unorm(v, bits[c], 8);
+            const uint32_t v = (uint32_t)pixel[i] >> shift[c] & fgl_unorm_max(bits[c]);
+            row->integer[c][i] = fgl_unorm_resize(v, bits[c], 8);
             row->color.channel[c][i] = (float)v * step;
         }
     }
@@ -118,7 +98,7 @@ static void fetch_565(const struct framebuffer *fb, size_t at, int n, struct fet
 /* Integers to floats: OSMesa rule: v * (1 / max). */
 static void fetched_to_float(struct fetched_row *row, int n)
 {
-    const float step = row->bits ? 1.0f / (float)max_of(row->bits) : 0.0f;
+    const float step = row->bits ? 1.0f / (float)fgl_unorm_max(row->bits) : 0.0f;
     for (int c = 0; row->bits && c < 4; c++)
         for (int i = 0; i < n; i++)
             row->color.channel[c][i] = (float)row->integer[c][i] * step;
@@ -145,7 +125,7 @@ static void fetch_color(const struct framebuffer *fb, int x, int y, int n, const
     } else if (row->bits == 16 && type->kind == COMPONENT_PACKED) {
         for (int c = 0; c < 4; c++)
             for (int i = 0; i < n; i++)
-                row->integer[c][i] = resize_unorm(row->integer[c][i], 16, 8);
+                row->integer[c][i] = fgl_unorm_resize(row->integer[c][i], 16, 8);
         row->bits = 8;
     }
 }
@@ -192,10 +172,10 @@ static void convert_color(const struct fetched_row *row, int channel, const stru
             out[i] = float_bits(row->color.channel[channel][i]);
     else if (row->bits == 0)
         for (int i = 0; i < n; i++)
-            out[i] = float_to_norm(row->color.channel[channel][i], max_of(bits), is_signed, half_up);
+            out[i] = float_to_norm(row->color.channel[channel][i], fgl_unorm_max(bits), is_signed, half_up);
     else
         for (int i = 0; i < n; i++)
-            out[i] = resize_unorm(row->integer[channel][i], row->bits, bits);
+            out[i] = fgl_unorm_resize(row->integer[channel][i], row->bits, bits);
 }
 
 static void pack_color(const struct pixel_pack *pack, const struct framebuffer *fb, int x, int y, int n,
@@ -250,7 +230,7 @@ static void pack_depth(const struct pixel_pack *pack, const struct framebuffer *
     const bool transfer = fgl_transfer_depth_active(pack->mode);
     if (type == GL_UNSIGNED_INT && !transfer && !pack->image.swap_bytes) {
         for (int i = 0; i < n; i++)
-            out->value[0][i] = resize_unorm(z[i], fb->depth_bits, 32);
+            out->value[0][i] = fgl_unorm_resize(z[i], fb->depth_bits, 32);
         return;
     }
     float depth[PIXEL_CHUNK];
@@ -271,7 +251,7 @@ static uint32_t index_to_type(int32_t index, const struct pixel_type *type)
     if (type->kind == COMPONENT_FLOAT)
         return float_bits((float)index);
     return type->kind == COMPONENT_BITMAP ? (uint32_t)index & 1
-                                          : (uint32_t)index & max_of(type_bits(type, 0));
+                                          : (uint32_t)index & fgl_unorm_max(type_bits(type, 0));
 }
 
 static void pack_index(const struct pixel_pack *pack, const struct framebuffer *fb, int x, int y, int n,
@@ -370,16 +350,28 @@ void fgl_pack_row(const struct pixel_pack *pack, const struct framebuffer *fb, i
     }
 }
 
-void fgl_pack_colors(const struct pixel_pack *pack, const struct color_row *colors, int n, int row, int column)
+/* Everything to integers of 8 bits. */
+static void fetched_to_bytes(struct fetched_row *row, int n)
+{
+    for (int c = 0; row->bits != 8 && c < 4; c++)
+        for (int i = 0; i < n; i++)
+            row->integer[c][i] = row->bits ? fgl_unorm_resize(row->integer[c][i], row->bits, 8)
+                                           : float_to_norm(row->color.channel[c][i], 255, false, false);
+    row->bits = 8;
+}
+
+void fgl_pack_colors(const struct pixel_pack *pack, struct fetched_row *fetched, bool direct, int n, int row, int column)
 {
     const struct pixel_format *format = pack->image.format;
-    struct fetched_row fetched = {.bits = 0, .color = *colors};
+    const struct pixel_type *type = pack->image.type;
     struct component_row components;
-    if (format->channel[0] == CHANNEL_LUMINANCE)
-        add_luminance(&fetched.color, n);
+    if (type->kind == COMPONENT_FLOAT || (type->kind == COMPONENT_PACKED && type_bits(type, 0) > 8 && !direct))
+        fetched_to_float(fetched, n);
+    else if (type->kind == COMPONENT_PACKED && type_bits(type, 0) <= 8)
+        fetched_to_bytes(fetched, n);
     for (int c = 0; c < format->components; c++) {
         const int channel = format->channel[c] == CHANNEL_LUMINANCE ? 0 : (int)format->channel[c];
-        convert_color(&fetched, channel, pack->image.type, c, n, components.value[c]);
+        convert_color(fetched, channel, type, c, n, components.value[c]);
     }
     store_row(&pack->image, row, column, n, &components);
 }

@@ -24,8 +24,16 @@ void fgl_pack_row(const struct pixel_pack *pack, const struct framebuffer *fb, i
 bool fgl_pack_row_plain(const struct pixel_pack *pack, const struct framebuffer *fb, int x, int y, int n, int row,
                         int column);
 
-/* The same with n colours in [0,1], or depths, that come from elsewhere, and no pixel transfer. */
-void fgl_pack_colors(const struct pixel_pack *pack, const struct color_row *colors, int n, int row, int column);
+/* A chunk of colours on their way: integers of `bits` bits, or floats when bits is 0. */
+struct fetched_row {
+    int bits;
+    uint32_t integer[4][PIXEL_CHUNK];
+    struct color_row color;
+};
+
+/* The same with n colours, or depths, of a texture, and no pixel transfer; luminance is red. OSMesa rule: colours pass through bytes
+ * on the way to packed pixels of no more, and through floats to those of more, unless `direct`. `fetched` may change. */
+void fgl_pack_colors(const struct pixel_pack *pack, struct fetched_row *fetched, bool direct, int n, int row, int column);
 void fgl_pack_depths(const struct pixel_pack *pack, const float *depth, int n, int row, int column);
 
 #endif

@@ -1,6 +1,8 @@
 /* Unpacking a row: load elements, convert each component, pixel transfer. */
 #include "framebuffer/pixel_unpack.h"
 
+#include "base/unorm.h"
+
 #include "base/color_index.h"
 
 #include <string.h>
@@ -96,9 +98,31 @@ static void convert_signed(const uint32_t *v, int n, int bytes, float *out)
     }
 }
 
-static void convert_component(const struct pixel_type *type, int c, const uint32_t *v, int n, float *out)
+/* OSMesa rules for texels: integers become those of 8 or 16 bits, when negative 0; or floats of all their bits. */
+static void convert_texels(const struct pixel_type *type, int c, enum unpack_steps steps, const uint32_t *v, int n,
+                           float *out)
 {
-    if (type->kind == COMPONENT_FLOAT)
+    const bool is_signed = type->kind == COMPONENT_SIGNED;
+    const int bits = type->fields ? type->bits[c] : 8 * type->bytes - (is_signed ? 1 : 0);
+    const int to = steps == UNPACK_UNORM8 ? 8 : steps == UNPACK_UNORM16 && !type->fields ? 16 : 0;
+    const float step = 1.0f / (float)fgl_unorm_max(to ? to : bits);
+    for (int i = 0; i < n; i++) {
+        const int32_t value = is_signed ? signed_of(v[i], type->bytes) : 0;
+        if (to)
+            out[i] = (float)(value < 0 ? 0 : fgl_unorm_resize(is_signed ? (uint32_t)value : v[i], bits, to)) * step;
+        else if (is_signed)
+            out[i] = value < -(int32_t)fgl_unorm_max(bits) ? -1.0f : (float)value * step;
+        else
+            out[i] = (float)v[i] * step;
+    }
+}
+
+static void convert_component(const struct pixel_type *type, int c, enum unpack_steps steps, const uint32_t *v, int n,
+                              float *out)
+{
+    if (steps != UNPACK_DRAWN && type->kind != COMPONENT_FLOAT)
+        convert_texels(type, c, steps, v, n, out);
+    else if (type->kind == COMPONENT_FLOAT)
         for (int i = 0; i < n; i++)
             out[i] = float_of(v[i]);
     else if (type->kind == COMPONENT_SIGNED)
@@ -166,14 +190,16 @@ void fgl_unpack_color(const struct pixel_unpack *unpack, int row, int column, in
         fgl_transfer_index_to_color(unpack->maps, index, out, n);
         return;
     }
+    const bool transfer = fgl_transfer_color_active(unpack->mode);
+    const enum unpack_steps steps = transfer && unpack->steps != UNPACK_DRAWN ? UNPACK_FLOAT : unpack->steps;
     uint32_t v[PIXEL_CHUNK];
     for (int c = 0; c < format->components; c++) {
         const int channel = format->channel[c] == CHANNEL_LUMINANCE ? 0 : (int)format->channel[c];
         load_component(image, row, column, n, c, v);
-        convert_component(image->type, c, v, n, out->channel[channel]);
+        convert_component(image->type, c, steps, v, n, out->channel[channel]);
     }
     expand(format, out, n);
-    if (fgl_transfer_color_active(unpack->mode))
+    if (transfer)
         fgl_transfer_color(unpack->mode, unpack->maps, out, n);
 }
 
@@ -220,6 +246,48 @@ void fgl_unpack_depth(const struct pixel_unpack *unpack, int row, int column, in
                 exact ? (type->bytes == 1 ? v[i] * 65793 : v[i]) : (uint32_t)((double)out[i] * s.max);
         out[i] = (float)(whole >> s.shift) * s.step;
     }
+}
+
+/* OSMesa rules: signed integers as GL 1.5, table 2.9 says, but 0 of 8 and 16 bits is 0. */
+static float texel_depth(const struct pixel_type *type, uint32_t v)
+{
+    const int32_t value = signed_of(v, type->bytes);
+    switch (type->type) {
+    case GL_UNSIGNED_BYTE: return (float)v / 255.0f;
+    case GL_BYTE: return value ? (2.0f * (float)value + 1.0f) * (1.0f / 255.0f) : 0.0f;
+    case GL_UNSIGNED_SHORT: return (float)v * (1.0f / 65535.0f);
+    case GL_SHORT: return value ? (2.0f * (float)value + 1.0f) * (1.0f / 65535.0f) : 0.0f;
+    case GL_UNSIGNED_INT: return (float)((double)v * (1.0 / 4294967295.0));
+    case GL_INT: return (2.0f * (float)value + 1.0f) * (1.0f / 4294967294.0f);
+    default: return float_of(v);
+    }
+}
+
+/* To an integer of so many bits, cut off. */
+static uint32_t cut_depth(float depth, int bits)
+{
+    const float max = (float)fgl_unorm_max(bits);
+    return bits <= 24 ? (uint32_t)(depth * max) : (uint32_t)((double)depth * (double)fgl_unorm_max(bits));
+}
+
+void fgl_unpack_depth_texels(const struct pixel_unpack *unpack, int row, int column, int n, int bits, uint32_t *out)
+{
+    const struct pixel_type *type = unpack->image.type;
+    const int have = 8 * type->bytes;
+    const bool transfer = fgl_transfer_depth_active(unpack->mode);
+    /* OSMesa rule: these are integers all the way. */
+    const bool whole = type->kind == COMPONENT_UNSIGNED && !transfer &&
+                       ((have == 32 && bits != 24) || (have == 16 && bits != 24));
+    float depth[PIXEL_CHUNK];
+    load_component(&unpack->image, row, column, n, 0, out);
+    for (int i = 0; i < n; i++)
+        depth[i] = texel_depth(type, out[i]);
+    if (transfer)
+        fgl_transfer_depth(unpack->mode, depth, n);
+    for (int i = 0; i < n; i++)
+        out[i] = !whole        ? cut_depth(fgl_clamp01(depth[i]), bits)
+                 : have > bits ? out[i] >> (have - bits)
+                               : fgl_unorm_resize(out[i], have, bits);
 }
 
 void fgl_unpack_stencil(const struct pixel_unpack *unpack, int row, int column, int n, int32_t *out)

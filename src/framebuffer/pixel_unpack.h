@@ -7,12 +7,21 @@
 #include "framebuffer/pixel_format.h"
 #include "framebuffer/pixel_transfer.h"
 
+/* The precision that integer colours are brought to before they are floats. */
+enum unpack_steps {
+    UNPACK_DRAWN,   /* as for glDrawPixels: at most 16 bits, packed ones at least 8 */
+    UNPACK_UNORM8,  /* 8 bits */
+    UNPACK_UNORM16, /* 16 bits, but packed ones none */
+    UNPACK_FLOAT    /* none */
+};
+
 /* The state that unpacking depends on. */
 struct pixel_unpack {
     struct pixel_image image;
     const struct pixel_mode_state *mode;
     const struct pixel_map *maps;
-    enum fgl_arith arith; /* of fgl_unpack_unorm8 */
+    enum fgl_arith arith;    /* of fgl_unpack_unorm8 */
+    enum unpack_steps steps; /* of fgl_unpack_color, when pixel transfer does nothing; otherwise there are none but for UNPACK_DRAWN */
 };
 
 /* n pixels of row `row` from pixel `column` on, after pixel transfer; n <= PIXEL_CHUNK.
@@ -24,6 +33,8 @@ void fgl_unpack_unorm8(const struct pixel_unpack *unpack, int row, int column, i
 void fgl_unpack_color_index(const struct pixel_unpack *unpack, int row, int column, int n, float *out);
 /* GL_DEPTH_COMPONENT: in [0,1]. */
 void fgl_unpack_depth(const struct pixel_unpack *unpack, int row, int column, int n, float *out);
+/* The same for texels: integers of 16, 24 or 32 bits. */
+void fgl_unpack_depth_texels(const struct pixel_unpack *unpack, int row, int column, int n, int bits, uint32_t *out);
 /* GL_STENCIL_INDEX. */
 void fgl_unpack_stencil(const struct pixel_unpack *unpack, int row, int column, int n, int32_t *out);
 

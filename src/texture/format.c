@@ -61,10 +61,49 @@ static const struct texture_format formats[] = {
         {GL_COMPRESSED_RGBA, GL_RGBA, U, {8, 8, 8, 8}},
 };
 
+/* Not for programs to ask for. */
+enum { RGB565 = GL_NONE };
+static const struct texture_format rgb565 = {GL_RGB, GL_RGB, U, {5, 6, 5}};
+
 const struct texture_format *fgl_texture_format(GLenum internal_format)
 {
     for (size_t i = 0; i < FGL_COUNTOF(formats); i++)
         if (formats[i].internal_format == internal_format)
             return &formats[i];
     return NULL;
+}
+
+/* The unsized formats, and what is kept for pixels of a certain format and type; GL_RGBA as the pixels' format: or GL_BGRA. */
+static const struct {
+    GLenum internal_format, format, type, kept;
+} suited[] = {
+        {GL_ALPHA, GL_ALPHA, GL_UNSIGNED_SHORT, GL_ALPHA16},
+        {GL_LUMINANCE, GL_LUMINANCE, GL_UNSIGNED_SHORT, GL_LUMINANCE16},
+        {GL_LUMINANCE_ALPHA, GL_LUMINANCE_ALPHA, GL_UNSIGNED_SHORT, GL_LUMINANCE16_ALPHA16},
+        {GL_RGB, GL_RGB, GL_UNSIGNED_BYTE_3_3_2, GL_R3_G3_B2},
+        {GL_RGB, GL_RGB, GL_UNSIGNED_BYTE_2_3_3_REV, GL_R3_G3_B2},
+        {GL_RGB, GL_RGB, GL_UNSIGNED_SHORT_5_6_5, RGB565},
+        {GL_RGB, GL_RGB, GL_UNSIGNED_SHORT_5_6_5_REV, RGB565},
+        {GL_RGB, GL_RGBA, GL_UNSIGNED_SHORT_5_5_5_1, GL_RGB5},
+        {GL_RGB, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV, GL_RGB10},
+        {GL_RGBA, GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4, GL_RGBA4},
+        {GL_RGBA, GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4_REV, GL_RGBA4},
+        {GL_RGBA, GL_RGBA, GL_UNSIGNED_SHORT_5_5_5_1, GL_RGB5_A1},
+        {GL_RGBA, GL_RGBA, GL_UNSIGNED_SHORT_1_5_5_5_REV, GL_RGB5_A1},
+        {GL_RGBA, GL_RGBA, GL_UNSIGNED_INT_10_10_10_2, GL_RGB10_A2},
+        {GL_RGBA, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV, GL_RGB10_A2},
+        {GL_DEPTH_COMPONENT, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, GL_DEPTH_COMPONENT16},
+        {GL_DEPTH_COMPONENT, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, GL_DEPTH_COMPONENT32},
+};
+
+const struct texture_format *fgl_texture_format_for(GLenum internal_format, GLenum format, GLenum type)
+{
+    if (internal_format == GL_RGBA && format == GL_RGBA && type == GL_UNSIGNED_SHORT)
+        return fgl_texture_format(GL_RGBA16);
+    if (format == GL_BGRA)
+        format = GL_RGBA;
+    for (size_t i = 0; i < FGL_COUNTOF(suited); i++)
+        if (suited[i].internal_format == internal_format && suited[i].format == format && suited[i].type == type)
+            return suited[i].kept == RGB565 ? &rgb565 : fgl_texture_format(suited[i].kept);
+    return fgl_texture_format(internal_format);
 }

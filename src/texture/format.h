@@ -20,4 +20,8 @@ static inline bool fgl_texture_format_compressed(const struct texture_format *fo
 /* NULL for an enum that is no internal format. */
 const struct texture_format *fgl_texture_format(GLenum internal_format);
 
+/* The same for an image of pixels of this format and type. OSMesa rule: unsized formats have the precision of some packed types, and of
+ * words. */
+const struct texture_format *fgl_texture_format_for(GLenum internal_format, GLenum format, GLenum type);
+
 #endif

@@ -1,6 +1,8 @@
 /* Images. See image.h. */
 #include "texture/image.h"
 
+#include "base/unorm.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -23,7 +25,7 @@ void fgl_texture_image_clear(struct texture_image *image)
 bool fgl_texture_image_define(struct texture_image *image, enum texture_target target,
                               const struct image_shape *shape, bool proxy)
 {
-    const struct texture_format *format = fgl_texture_format(shape->internal_format);
+    const struct texture_format *format = shape->format;
     const int around = 2 * shape->border;
     struct texture_image new = {
             .width = shape->width - around,
@@ -46,30 +48,12 @@ bool fgl_texture_image_define(struct texture_image *image, enum texture_target t
 
 /* ---- quantising ---- */
 
-static uint32_t max_of(int bits)
-{
-    return 0xffffffffu >> (32 - bits);
-}
-
-/* [0,1] to the nearest integer of so many bits, half to even. */
-static uint32_t quantise(float v, int bits, bool from_bytes)
+/* [0,1] to the nearest integer of so many bits. OSMesa rule: half up, but half to even for bytes. */
+static uint32_t quantise(float v, int bits)
 {
     const double magic = 6755399441055744.0; /* 1.5 * 2^52: adding it rounds to an integer, half to even */
-    const float c = fgl_clamp01(v);
-    if (from_bytes && bits > 8 && bits < 16) {
-        const uint32_t byte = (uint32_t)(c * 255.0f + 0.5f);
-        return byte << (bits - 8) | byte >> (16 - bits);
-    }
-    return (uint32_t)(((double)(c * (float)max_of(bits)) + magic) - magic);
-}
-
-/* 1 to 8 bits to 8 by repeating them. */
-static uint8_t to_byte(uint32_t v, int bits)
-{
-    uint32_t repeated = v << (8 - bits);
-    for (int have = bits; have < 8; have *= 2)
-        repeated |= repeated >> have;
-    return (uint8_t)repeated;
+    const float scaled = fgl_clamp01(v) * (float)fgl_unorm_max(bits);
+    return bits != 8 ? (uint32_t)(scaled + 0.5f) : (uint32_t)(((double)scaled + magic) - magic);
 }
 
 /* Which channel of the source each channel of a texel comes from, or a constant. */
@@ -90,52 +74,74 @@ static void expansion(GLenum base_format, int source[4])
             source[c] = table[i].source[c];
 }
 
+/* Channel c of n texels from integers of so many bits. */
+static void store_channel(struct texture_image *image, size_t first, int c, int n, int bits, const uint32_t *v)
+{
+    if (image->kind == TEXELS_UNORM8) {
+        uint8_t *out = (uint8_t *)image->texels + first + c;
+        for (int i = 0; i < n; i++)
+            out[4 * i] = (uint8_t)fgl_unorm_resize(v[i], bits, 8);
+    } else {
+        float *out = (float *)image->texels + first + c;
+        for (int i = 0; i < n; i++)
+            out[4 * i] = fgl_unorm_to_float(v[i], bits);
+    }
+}
+
 void fgl_texture_store_color(struct texture_image *image, int x, int y, int z, int n, const float *const color[4],
-                             bool from_bytes)
+                             bool through_bytes)
 {
     int source[4];
+    uint32_t v[TEXTURE_RUN];
+    assert(n <= TEXTURE_RUN);
     expansion(image->format->base_format, source);
     const size_t first = 4 * fgl_texel_index(image, x, y, z);
     for (int c = 0; c < 4; c++) {
         const int s = source[c], bits = s < ZERO ? image->format->bits[s] : 8;
-        if (image->kind == TEXELS_UNORM8) {
-            uint8_t *out = (uint8_t *)image->texels + first + c;
-            for (int i = 0; i < n; i++)
-                out[4 * i] = s < ZERO ? to_byte(quantise(color[s][i], bits, from_bytes), bits) : s == ONE ? 255 : 0;
-            continue;
+        for (int i = 0; i < n; i++) {
+            if (s >= ZERO)
+                v[i] = s == ONE ? 255 : 0;
+            else if (through_bytes)
+                v[i] = fgl_unorm_resize(quantise(color[s][i], 8), 8, bits);
+            else
+                v[i] = quantise(color[s][i], bits);
         }
-        float *out = (float *)image->texels + first + c;
-        const float step = 1.0f / (float)max_of(bits);
-        for (int i = 0; i < n; i++)
-            out[4 * i] = s < ZERO ? (float)quantise(color[s][i], bits, from_bytes) * step : s == ONE ? 1.0f : 0.0f;
+        store_channel(image, first, c, n, bits, v);
     }
 }
 
-void fgl_texture_store_depth(struct texture_image *image, int x, int y, int z, int n, const float *depth)
+/* OSMesa rule: 16 bits are multiplied by the reciprocal in float, more are divided in double. */
+static float depth_of(uint32_t z, int bits)
+{
+    return bits == 16 ? fgl_unorm_to_float(z, bits) : (float)((double)z / (double)fgl_unorm_max(bits));
+}
+
+void fgl_texture_store_depth(struct texture_image *image, int x, int y, int z, int n, const uint32_t *depth)
 {
     float *out = (float *)image->texels + fgl_texel_index(image, x, y, z);
-    const double max = (double)max_of(image->format->bits[0]);
-    for (int i = 0; i < n; i++) {
-        const uint32_t v = (uint32_t)((double)fgl_clamp01(depth[i]) * max);
-        out[i] = (float)((double)v / max);
-    }
+    for (int i = 0; i < n; i++)
+        out[i] = depth_of(depth[i], image->format->bits[0]);
+}
+
+/* GL 1.5, table 6.1: luminance and intensity are red alone. */
+static void load_sources(GLenum base, int source[4])
+{
+    expansion(base, source);
+    if (base == GL_LUMINANCE || base == GL_LUMINANCE_ALPHA || base == GL_INTENSITY)
+        source[1] = source[2] = ZERO;
+    if (base == GL_INTENSITY)
+        source[3] = ONE;
 }
 
 void fgl_texture_load_color(const struct texture_image *image, int x, int y, int z, int n, float *const color[4])
 {
     int source[4];
-    const GLenum base = image->format->base_format;
-    const bool gray = base == GL_LUMINANCE || base == GL_LUMINANCE_ALPHA || base == GL_INTENSITY;
-    expansion(base, source);
-    if (gray)
-        source[1] = source[2] = ZERO;
-    if (base == GL_INTENSITY)
-        source[3] = ONE;
+    load_sources(image->format->base_format, source);
     const size_t first = 4 * fgl_texel_index(image, x, y, z);
     for (int c = 0; c < 4; c++) {
         const int s = source[c];
         const int bits = s < ZERO ? image->format->bits[s] : 8;
-        const float step = 1.0f / (float)max_of(bits);
+        const float step = 1.0f / (float)fgl_unorm_max(bits);
         for (int i = 0; i < n; i++) {
             if (s >= ZERO)
                 color[c][i] = s == ONE ? 1.0f : 0.0f;
@@ -145,4 +151,21 @@ void fgl_texture_load_color(const struct texture_image *image, int x, int y, int
                 color[c][i] = ((const float *)image->texels)[first + 4 * (size_t)i + c];
         }
     }
+}
+
+void fgl_texture_load_integers(const struct texture_image *image, int x, int y, int z, int n, uint32_t *const color[4])
+{
+    int source[4];
+    load_sources(image->format->base_format, source);
+    const size_t first = 4 * fgl_texel_index(image, x, y, z);
+    for (int c = 0; c < 4; c++)
+        for (int i = 0; i < n; i++) {
+            const size_t at = first + 4 * (size_t)i + (size_t)c;
+            if (source[c] >= ZERO)
+                color[c][i] = source[c] == ZERO ? 0 : image->kind == TEXELS_UNORM8 ? 255 : 65535;
+            else if (image->kind == TEXELS_UNORM8)
+                color[c][i] = ((const uint8_t *)image->texels)[at];
+            else
+                color[c][i] = (uint32_t)(((const float *)image->texels)[at] * 65535.0f + 0.5f);
+        }
 }

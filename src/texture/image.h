@@ -4,9 +4,12 @@
 
 #include "texture/format.h"
 
+enum { TEXTURE_RUN = 256 }; /* texels that are stored at once */
+
 /* What an image is to be: sizes with the border, as given. */
 struct image_shape {
     GLenum internal_format;
+    const struct texture_format *format; /* of the texels */
     int width, height, depth, border;
 };
 
@@ -22,14 +25,16 @@ static inline size_t fgl_texel_index(const struct texture_image *image, int x, i
     return ((size_t)z * (size_t)image->height + (size_t)y) * (size_t)image->width + (size_t)x;
 }
 
-/* Stores n texels from (x, y, z) on. color: four planes, red to alpha; from_bytes: they came as v / 255. OSMesa rule: bytes get
- * more bits by repeating theirs. */
+/* Stores n texels from (x, y, z) on. n <= TEXTURE_RUN. color: four planes, red to alpha; through_bytes: they are rounded to bytes first,
+ * which then get more or fewer bits. */
 void fgl_texture_store_color(struct texture_image *image, int x, int y, int z, int n, const float *const color[4],
-                             bool from_bytes);
-void fgl_texture_store_depth(struct texture_image *image, int x, int y, int z, int n, const float *depth);
+                             bool through_bytes);
+void fgl_texture_store_depth(struct texture_image *image, int x, int y, int z, int n, const uint32_t *depth); /* of the format's bits */
 
 /* n texels as colours, four planes: what drawing would see of them, but formats of less than 8 bits with all their precision (GL 1.5, 6.1.4
  * "Texture Queries", table 6.1: luminance and intensity are red alone). */
 void fgl_texture_load_color(const struct texture_image *image, int x, int y, int z, int n, float *const color[4]);
+/* The same as integers of 8 or 16 bits: of bytes, whatever the format's bits, or of a format of 16. */
+void fgl_texture_load_integers(const struct texture_image *image, int x, int y, int z, int n, uint32_t *const color[4]);
 
 #endif

@@ -1,6 +1,8 @@
 /* Mipmaps by a box filter: each level from the one before it. */
 #include "texture/mipmap.h"
 
+#include "base/unorm.h"
+
 #include <stdlib.h>
 
 /* Two neighbouring texels of the source and how much of the second: 0..256. */
@@ -74,7 +76,8 @@ static void make_texel(const struct texture_image *from, struct texture_image *t
     float v[4];
     if (to->kind == TEXELS_DEPTH) {
         average_floats(from, t, 1, v);
-        fgl_texture_store_depth(to, x, y, z, 1, v);
+        const uint32_t depth = (uint32_t)((double)v[0] * (double)fgl_unorm_max(to->format->bits[0]) + 0.5);
+        fgl_texture_store_depth(to, x, y, z, 1, &depth);
         return;
     }
     if (to->kind == TEXELS_UNORM8) {
@@ -115,7 +118,7 @@ bool fgl_texture_generate_mipmaps(struct texture_object *object, int face)
         struct texture_image *to = &object->image[face][level];
         if (from->width == 1 && from->height == 1 && from->depth == 1)
             break;
-        const struct image_shape shape = {from->internal_format, fgl_max(from->width / 2, 1),
+        const struct image_shape shape = {from->internal_format, from->format, fgl_max(from->width / 2, 1),
                                           fgl_max(from->height / 2, 1), fgl_max(from->depth / 2, 1), 0};
         if (!fgl_texture_image_define(to, object->target, &shape, false))
             return false;
