@@ -30,6 +30,7 @@ void fgl_pipeline_destroy(struct pipeline *p)
     free(p->cache.outcode);
     free(p->cache.snapped);
     free(p->cache.edge_flag);
+    free(p->cache.chunk);
     free(p->elements);
     fgl_triangles_free(&p->triangles);
     fgl_explain_stop(p);
@@ -79,8 +80,12 @@ static bool reserve(struct vertex_cache *c, int n, const struct emit_plan *emit)
 static void store_batch(struct pipeline *p, const struct vertex_batch *b, int at)
 {
     struct vertex_cache *c = &p->cache;
-    unsigned char *record = c->record + (size_t)at * p->plan.emit.record_bytes;
-    fgl_emit(&p->plan.emit, b, record, c->clip + (size_t)at * p->plan.emit.clip_bytes);
+    unsigned char *record = c->record + (size_t)at * p->plan.emit.record_bytes,
+                  *clip = c->clip + (size_t)at * p->plan.emit.clip_bytes;
+    if (p->unshaded)
+        fgl_emit_positions(&p->plan.emit, b, record, clip);
+    else
+        fgl_emit(&p->plan.emit, b, record, clip);
     if (FGL_UNLIKELY(p->plan.feedback.texture_coords))
         fgl_feedback_emit(&p->plan, b, record);
     memcpy(c->outcode + at, b->outcode, (size_t)b->n * sizeof *c->outcode);
@@ -93,47 +98,41 @@ static void store_batch(struct pipeline *p, const struct vertex_batch *b, int at
         c->edge_flag[at + i] = varying ? b->in[ATTR_EDGE_FLAG].c[0][i] : p->plan.vertex.constant[ATTR_EDGE_FLAG][0];
 }
 
-/* The vertices of a draw: first .. first+n of the source, to the cache's 0..n. */
-struct vertex_job {
-    struct pipeline *p;
-    const struct vertex_source *source;
-    uint32_t first;
-    int n;
-};
-
 static void run_batch(void *arg, int item, int worker)
 {
     const struct vertex_job *job = arg;
     struct pipeline *p = job->p;
     struct vertex_batch *b = p->batch[worker];
     const int at = item * FGL_BATCH_SIZE;
-    fgl_fetch(b, job->source, p->plan.fetch, job->first + (uint32_t)at, fgl_min(job->n - at, FGL_BATCH_SIZE));
-    fgl_vertex_run(&p->plan.vertex, b, p->general);
+    const uint32_t attributes = p->unshaded ? 1u << ATTR_POSITION : p->plan.fetch;
+    fgl_fetch(b, job->source, attributes, job->first + (uint32_t)at, fgl_min(job->n - at, FGL_BATCH_SIZE));
+    if (p->unshaded)
+        fgl_vertex_positions(&p->plan.vertex, b);
+    else
+        fgl_vertex_run(&p->plan.vertex, b, p->general);
     store_batch(p, b, at);
 }
 
-/* Workers for a draw of so many batches: the calling thread alone unless there are several, as waking others costs microseconds. */
-static int workers_for(struct pipeline *p, int batches)
+int fgl_pipeline_share(struct pipeline *p, bool worth)
 {
-    const struct workers *w = batches >= PARALLEL_BATCHES ? fgl_pipeline_workers(p) : NULL;
+    const struct workers *w = worth ? fgl_pipeline_workers(p) : NULL;
     const int count = w ? fgl_workers_count(w) : 1;
     for (int i = 0; i < count; i++)
         if (!p->batch[i] && !(p->batch[i] = calloc(1, sizeof *p->batch[i])))
-            return i; /* those that have a batch */
+            return i > 0; /* those that have a batch */
     return count;
 }
 
-static bool run_vertices(struct pipeline *p, const struct vertex_source *source, uint32_t first, int n)
+static bool run_vertices(struct pipeline *p, struct vertex_job *job)
 {
-    struct vertex_job job = {p, source, first, n};
-    const int batches = (n + FGL_BATCH_SIZE - 1) / FGL_BATCH_SIZE;
-    const int workers = workers_for(p, batches);
-    if (workers > 1 && workers == fgl_workers_count(p->workers)) {
-        fgl_workers_run(p->workers, batches, run_batch, &job);
+    const int batches = (job->n + FGL_BATCH_SIZE - 1) / FGL_BATCH_SIZE;
+    const int workers = fgl_pipeline_share(p, batches >= PARALLEL_BATCHES);
+    if (workers > 1) {
+        fgl_workers_run(p->workers, batches, run_batch, job);
         return true;
     }
     for (int i = 0; workers && i < batches; i++)
-        run_batch(&job, i, 0);
+        run_batch(job, i, 0);
     return workers > 0;
 }
 
@@ -148,6 +147,15 @@ void fgl_assemble_all(struct pipeline *p, const struct draw_prim *prims, int n, 
     for (int i = 0; i < n; i++)
         fgl_assemble(p, &prims[i], elements, base, compiled);
     fgl_triangles_flush(p);
+}
+
+/* Whether the draw's vertices may be shaded when it is known which are seen (shade.c). */
+static bool may_wait(const struct pipeline *p, const struct draw_prim *prims, int n)
+{
+    bool filled = p->plan.seen_first && !p->report && !p->explain;
+    for (int i = 0; i < n; i++)
+        filled &= prims[i].mode >= GL_TRIANGLES;
+    return filled;
 }
 
 void fgl_draw(struct context *ctx, const struct vertex_source *source, const struct draw_prim *prims, int n,
@@ -166,7 +174,10 @@ void fgl_draw(struct context *ctx, const struct vertex_source *source, const str
     }
     ctx->framebuffer->drawn = true;
     p->cache.used = vertices;
-    if (!run_vertices(p, source, min_index, vertices)) {
+    struct vertex_job job = {p, source, min_index, vertices};
+    p->unshaded = may_wait(p, prims, n) && fgl_shade_later(p, &job) ? &job : NULL;
+    if (!run_vertices(p, &job)) {
+        p->unshaded = NULL;
         out_of_memory(ctx);
         return;
     }
@@ -176,4 +187,5 @@ void fgl_draw(struct context *ctx, const struct vertex_source *source, const str
         fgl_explain_draw(ctx, source, prims, n, elements, min_index);
     else
         fgl_assemble_all(p, prims, n, elements, min_index, source->compiled);
+    p->unshaded = NULL;
 }

@@ -24,6 +24,7 @@ struct plan {
     uint32_t varying;     /* attributes that were arrays when the plan was made */
     bool polygon_fill;    /* both faces filled: no edge flags, no lines or points from triangles */
     bool decomposed;      /* OSMesa's longer road splits quads, even where nothing is clipped */
+    bool seen_first;      /* colours wait until it is known which triangles are seen (shade.c) */
     bool rasterize;       /* false: nothing can reach the framebuffer */
 };
 
@@ -37,6 +38,8 @@ struct vertex_cache {
     uint32_t *outcode;
     struct snapped *snapped; /* written when polygons are filled */
     float *edge_flag; /* written when polygons are not filled */
+    struct shading *chunk; /* shade.c: of each VERTEX_CHUNK vertices; written when shading waits */
+    int chunks;            /* for which there is room */
 };
 
 /* Vertex v of the cache. */
@@ -58,12 +61,21 @@ struct primitive {
 struct explain;
 struct plan_report;
 
+/* The vertices of a draw: first .. first+n of the source, to the cache's 0..n. */
+struct vertex_job {
+    struct pipeline *p;
+    const struct vertex_source *source;
+    uint32_t first;
+    int n;
+};
+
 struct pipeline {
     struct plan plan;
     bool general;    /* FIXEDGL_PATH=general */
     bool print_plan; /* FIXEDGL_DEBUG=plan */
     struct vertex_cache cache;
     struct triangle_list triangles;
+    const struct vertex_job *unshaded; /* the draw whose vertices have positions alone; else NULL */
     struct plan_report *report; /* plan_report.h; NULL: none is wanted */
     struct explain *explain;    /* explain.h; NULL: no pixel is being explained */
     struct primitive primitive; /* what is being assembled, for explain */
@@ -82,6 +94,10 @@ void fgl_pipeline_destroy(struct pipeline *p);
 /* The workers, started now if they were not; NULL when memory is short. */
 struct workers *fgl_pipeline_workers(struct pipeline *p);
 
+/* How many workers a job on batches is given: all of them when it is worth their waking, which costs microseconds, else one; 0 when
+ * memory is short. */
+int fgl_pipeline_share(struct pipeline *p, bool worth);
+
 /* Brings the plan up to date with the state, for draws whose attributes in `varying` are arrays. */
 void fgl_pipeline_validate(struct context *ctx, uint32_t varying);
 
@@ -90,6 +106,11 @@ void fgl_plan_print(const struct plan *plan);
 
 /* fetch.c: vertices first .. first+n of the source into the batch; n <= FGL_BATCH_SIZE. Only the given attributes. */
 void fgl_fetch(struct vertex_batch *batch, const struct vertex_source *source, uint32_t attributes, uint32_t first, int n);
+
+/* shade.c. fgl_shade_later: before the draw's vertices are run; false when memory is short. fgl_shade_listed: shades those of the
+ * listed triangles' vertices that are not shaded yet. */
+bool fgl_shade_later(struct pipeline *p, const struct vertex_job *job);
+void fgl_shade_listed(struct pipeline *p);
 
 /* One attribute of vertex i. */
 void fgl_fetch_one(const struct attr_source *a, int attr, uint32_t i, float v[4]);

@@ -85,6 +85,8 @@ void fgl_triangles_flush(struct pipeline *p)
     struct triangle_list *t = &p->triangles;
     if (t->n == 0)
         return;
+    if (p->unshaded)
+        fgl_shade_listed(p);
     if (FGL_UNLIKELY(p->one_by_one)) {
         fill_in_order(p);
         return;

@@ -114,6 +114,7 @@ void fgl_pipeline_validate(struct context *ctx, uint32_t varying)
     update_emit(&p->plan);
     p->plan.fetch = fetch_mask(&p->plan);
     p->plan.varying = varying;
+    p->plan.seen_first = p->plan.polygon_fill && p->plan.emit.lanes > LANE_COLOR && ctx->render_mode == GL_RENDER;
     if (ctx->render_mode != GL_RENDER)
         fgl_feedback_validate(ctx, &p->plan);
     else

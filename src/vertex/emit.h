@@ -29,5 +29,8 @@ void fgl_emit_layout(struct emit_plan *plan, enum fgl_arith arith, int stride);
 
 /* Writes batch->n raster vertices and, where the batch has any outcode, clip vertices. */
 void fgl_emit(const struct emit_plan *plan, const struct vertex_batch *batch, void *record, void *clip);
+/* The same in two steps: positions and clip vertices, everything else. */
+void fgl_emit_positions(const struct emit_plan *plan, const struct vertex_batch *batch, void *record, void *clip);
+void fgl_emit_attributes(const struct emit_plan *plan, const struct vertex_batch *batch, void *record);
 
 #endif

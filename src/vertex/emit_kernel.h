@@ -46,14 +46,11 @@ static void emit_textures(const struct emit_plan *plan, const struct vertex_batc
     }
 }
 
-static void emit_records(const struct emit_plan *plan, const struct vertex_batch *batch, real *record)
+/* All of a record but its position. */
+static void emit_attributes(const struct emit_plan *plan, const struct vertex_batch *batch, void *records)
 {
+    real *record = records;
     const int stride = plan->stride, n = batch->n;
-    if (stride == 8 && plan->color && !plan->textures) {
-        emit8(record, &RESULTS(batch)->win, &RESULTS(batch)->color[0], n);
-        return;
-    }
-    emit4(record, stride, &RESULTS(batch)->win, n);
     if (plan->color)
         emit4(record + 4, stride, &RESULTS(batch)->color[0], n);
     if (plan->secondary)
@@ -68,16 +65,32 @@ static void emit_records(const struct emit_plan *plan, const struct vertex_batch
         emit4(record + plan->back_lane + 4, stride, &RESULTS(batch)->secondary[1], n);
 }
 
-/* clip: written only where the batch has any outcode. */
-static void emit(const struct emit_plan *plan, const struct vertex_batch *batch, void *record, void *clip)
+static void emit_clip(const struct vertex_batch *batch, void *clip)
 {
-    emit_records(plan, batch, record);
     if (!batch->outcode_any)
         return;
     emit4(clip, CLIP_VERTEX_LANES, &RESULTS(batch)->clip, batch->n);
 #if R_EXACT
     emit4((real *)clip + 4, CLIP_VERTEX_LANES, &batch->exact.eye, batch->n);
 #endif
+}
+
+/* Positions alone. clip: written only where the batch has any outcode. */
+static void emit_positions(const struct emit_plan *plan, const struct vertex_batch *batch, void *record, void *clip)
+{
+    emit4(record, plan->stride, &RESULTS(batch)->win, batch->n);
+    emit_clip(batch, clip);
+}
+
+static void emit(const struct emit_plan *plan, const struct vertex_batch *batch, void *record, void *clip)
+{
+    if (plan->stride == 8 && plan->color && !plan->textures) {
+        emit8(record, &RESULTS(batch)->win, &RESULTS(batch)->color[0], batch->n);
+    } else {
+        emit4(record, plan->stride, &RESULTS(batch)->win, batch->n);
+        emit_attributes(plan, batch, record);
+    }
+    emit_clip(batch, clip);
 }
 
 #endif

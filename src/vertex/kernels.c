@@ -231,12 +231,12 @@ static void trace_eye(const struct vertex_plan *plan, struct vertex_batch *b, in
     note3(trace->eye, work.eye);
 }
 
-static bool run_chunk(const struct vertex_plan *plan, struct vertex_batch *b, int first, int count, bool general,
-                      struct vertex_trace *trace)
+/* All but positions. */
+static bool shade_chunk(const struct vertex_plan *plan, struct vertex_batch *b, int first, int count, bool general,
+                        struct vertex_trace *trace)
 {
     const int n = whole_groups(count + VERTEX_GROUP - 1);
 
-    run_positions(plan, b, first, n);
     if (plan->need_fog_z)
         eye_distance(plan, b, first, n, RESULTS(b)->fog_z);
     if (plan->need_point_size)
@@ -254,9 +254,20 @@ static bool run_chunk(const struct vertex_plan *plan, struct vertex_batch *b, in
     return false;
 }
 
+static void positions(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n)
+{
+    run_positions(plan, b, first, whole_groups(n + VERTEX_GROUP - 1));
+}
+
+static bool shade(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n, bool general)
+{
+    return shade_chunk(plan, b, first, n, general, NULL);
+}
+
 static bool run(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n, bool general)
 {
-    return run_chunk(plan, b, first, n, general, NULL);
+    positions(plan, b, first, n);
+    return shade_chunk(plan, b, first, n, general, NULL);
 }
 
 static void light(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n, bool general)
@@ -266,9 +277,19 @@ static void light(const struct vertex_plan *plan, struct vertex_batch *b, int fi
 
 static bool trace_vertex(const struct vertex_plan *plan, struct vertex_batch *b, struct vertex_trace *trace)
 {
-    return run_chunk(plan, b, 0, 1, true, trace);
+    positions(plan, b, 0, 1);
+    return shade_chunk(plan, b, 0, 1, true, trace);
 }
 
 extern const struct vertex_kernels FGL_KERNELS(vertex);
 const struct vertex_kernels FGL_KERNELS(vertex) = {
-        .isa = ISA_STRING(FGL_ISA), .run = run, .light = light, .trace = trace_vertex, .emit = emit};
+        .isa = ISA_STRING(FGL_ISA),
+        .run = run,
+        .positions = positions,
+        .shade = shade,
+        .light = light,
+        .trace = trace_vertex,
+        .emit = emit,
+        .emit_positions = emit_positions,
+        .emit_attributes = emit_attributes,
+};

@@ -139,27 +139,50 @@ static void light_extremes(const struct vertex_plan *plan, struct vertex_batch *
             round_colors(b, i);
 }
 
-static void run_chunk(const struct vertex_kernels *kernels, const struct vertex_plan *plan, struct vertex_batch *b,
-                      int first, int n, bool general)
+static void gather_outcodes(struct vertex_batch *batch)
 {
-    const bool extreme = kernels->run(plan, b, first, n, general);
-    if (FGL_UNLIKELY(extreme || (plan->exact.needed && plan->lighting)))
-        light_extremes(plan, b, first, n, general);
-}
-
-void fgl_vertex_run(const struct vertex_plan *plan, struct vertex_batch *batch, bool general)
-{
-    const struct vertex_kernels *kernels = fgl_vertex_kernels(plan->arith);
     uint32_t any = 0, all = ~(uint32_t)0;
 
-    for (int first = 0; first < batch->n; first += VERTEX_CHUNK)
-        run_chunk(kernels, plan, batch, first, fgl_min(batch->n - first, VERTEX_CHUNK), general);
     for (int i = 0; i < batch->n; i++) {
         any |= batch->outcode[i];
         all &= batch->outcode[i];
     }
     batch->outcode_any = any;
     batch->outcode_all = batch->n ? all : 0;
+}
+
+void fgl_vertex_run(const struct vertex_plan *plan, struct vertex_batch *batch, bool general)
+{
+    const struct vertex_kernels *kernels = fgl_vertex_kernels(plan->arith);
+
+    for (int first = 0; first < batch->n; first += VERTEX_CHUNK) {
+        const int n = fgl_min(batch->n - first, VERTEX_CHUNK);
+        const bool extreme = kernels->run(plan, batch, first, n, general);
+        if (FGL_UNLIKELY(extreme || (plan->exact.needed && plan->lighting)))
+            light_extremes(plan, batch, first, n, general);
+    }
+    gather_outcodes(batch);
+}
+
+void fgl_vertex_positions(const struct vertex_plan *plan, struct vertex_batch *batch)
+{
+    const struct vertex_kernels *kernels = fgl_vertex_kernels(plan->arith);
+
+    for (int first = 0; first < batch->n; first += VERTEX_CHUNK)
+        kernels->positions(plan, batch, first, fgl_min(batch->n - first, VERTEX_CHUNK));
+    gather_outcodes(batch);
+}
+
+void fgl_vertex_shade(const struct vertex_plan *plan, struct vertex_batch *batch, bool general)
+{
+    const struct vertex_kernels *kernels = fgl_vertex_kernels(plan->arith);
+
+    for (int first = 0; first < batch->n; first += VERTEX_CHUNK) {
+        const int n = fgl_min(batch->n - first, VERTEX_CHUNK);
+        const bool extreme = kernels->shade(plan, batch, first, n, general);
+        if (FGL_UNLIKELY(extreme || (plan->exact.needed && plan->lighting)))
+            light_extremes(plan, batch, first, n, general);
+    }
 }
 
 void fgl_vertex_trace(const struct vertex_plan *plan, struct vertex_batch *batch, struct vertex_trace *trace)
@@ -179,6 +202,16 @@ void fgl_emit_layout(struct emit_plan *plan, enum fgl_arith arith, int stride)
 void fgl_emit(const struct emit_plan *plan, const struct vertex_batch *batch, void *record, void *clip)
 {
     fgl_vertex_kernels(plan->arith)->emit(plan, batch, record, clip);
+}
+
+void fgl_emit_positions(const struct emit_plan *plan, const struct vertex_batch *batch, void *record, void *clip)
+{
+    fgl_vertex_kernels(plan->arith)->emit_positions(plan, batch, record, clip);
+}
+
+void fgl_emit_attributes(const struct emit_plan *plan, const struct vertex_batch *batch, void *record)
+{
+    fgl_vertex_kernels(plan->arith)->emit_attributes(plan, batch, record);
 }
 
 FGL_KERNEL_TABLE(vertex);

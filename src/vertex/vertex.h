@@ -153,6 +153,11 @@ void fgl_exact_light_validate(struct vertex_plan *plan, struct context *ctx);
 /* Runs the stages of the plan over the batch. general: without specialised kernels; the same bits. */
 void fgl_vertex_run(const struct vertex_plan *plan, struct vertex_batch *batch, bool general);
 
+/* The same in two steps: clip and window coordinates and outcodes, everything else. The second does not need the results of the
+ * first. */
+void fgl_vertex_positions(const struct vertex_plan *plan, struct vertex_batch *batch);
+void fgl_vertex_shade(const struct vertex_plan *plan, struct vertex_batch *batch, bool general);
+
 /* Results of FIXEDGL_EXACT rounded to the batch's floats, for those who look at a vertex or two. */
 void fgl_vertex_round(const struct vertex_plan *plan, struct vertex_batch *batch);
 
@@ -185,11 +190,15 @@ void fgl_vertex_trace(const struct vertex_plan *plan, struct vertex_batch *batch
 enum { VERTEX_CHUNK = 256 };
 struct vertex_kernels {
     const char *isa;
-    /* run, trace: true if batch->extreme is not 0 for a vertex. */
+    /* run = positions and shade. run, shade, trace: true if batch->extreme is not 0 for a vertex. */
+    void (*positions)(const struct vertex_plan *plan, struct vertex_batch *batch, int first, int n);
+    bool (*shade)(const struct vertex_plan *plan, struct vertex_batch *batch, int first, int n, bool general);
     bool (*run)(const struct vertex_plan *plan, struct vertex_batch *batch, int first, int n, bool general);
     void (*light)(const struct vertex_plan *plan, struct vertex_batch *batch, int first, int n, bool general);
     bool (*trace)(const struct vertex_plan *plan, struct vertex_batch *batch, struct vertex_trace *trace);
     void (*emit)(const struct emit_plan *plan, const struct vertex_batch *batch, void *record, void *clip);
+    void (*emit_positions)(const struct emit_plan *plan, const struct vertex_batch *batch, void *record, void *clip);
+    void (*emit_attributes)(const struct emit_plan *plan, const struct vertex_batch *batch, void *record);
 };
 
 /* The kernels that fgl_vertex_run uses for an arithmetic; and those of one set, or NULL when the build or the CPU does not
