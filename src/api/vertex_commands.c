@@ -5,33 +5,45 @@
 #include "api/immediate.h"
 #include "api/list.h"
 
-#include <string.h>
-
 static inline float plain_f(GLfloat c) { return c; }
 static inline float plain_d(GLdouble c) { return (float)c; }
 static inline float plain_i(GLint c) { return (float)c; }
 static inline float plain_s(GLshort c) { return (float)c; }
 static inline float plain_ub(GLubyte c) { return (float)c; }
 
-/* The common case of fgl_vertex: the format has a position of this size. */
+static FGL_NOINLINE void uncommon_vertex(struct context *ctx, int size, float x, float y, float z, float w)
+{
+    fgl_vertex(ctx, size, (const float[4]){x, y, z, w});
+}
+
+static FGL_NOINLINE void uncommon_attribute(struct context *ctx, enum fgl_attr attr, int size, float x, float y, float z, float w)
+{
+    fgl_attr_set(ctx, attr, size, (const float[4]){x, y, z, w});
+}
+
+/* The common case of fgl_vertex: the format has a position of this size. Attributes are copied one by one, as they were written
+ * just before: a processor would wait for a load of several until they are all in its cache. `volatile` keeps compilers from joining them. */
 static FGL_ALWAYS_INLINE void vertex(const int size, float x, float y, float z, float w)
 {
     struct context *ctx = fgl_current;
     if (FGL_UNLIKELY(!ctx))
         return;
     struct immediate *im = ctx->vertices;
-    const float v[4] = {x, y, z, w};
     if (FGL_UNLIKELY(im->format.size[ATTR_POSITION] != size || im->mode > GL_POLYGON || im->count + 1 >= im->max_count)) {
-        fgl_vertex(ctx, size, v);
+        uncommon_vertex(ctx, size, x, y, z, w);
         return;
     }
     float *to = im->next;
-    const int before = im->format.before_position;
-    for (int i = 0; i < before; i += 4) /* whole fours: what goes too far is overwritten, by the position at the latest by the next vertex */
-        memcpy(to + i, im->vertex + i, 4 * sizeof(float));
-    for (int i = 0; i < size; i++)
-        to[before + i] = v[i];
-    im->next = to + before + size;
+    const volatile float *attribute = im->vertex, *const end = attribute + im->format.before_position;
+    while (attribute < end)
+        *to++ = *attribute++;
+    *to++ = x;
+    *to++ = y;
+    if (size > 2)
+        *to++ = z;
+    if (size > 3)
+        *to++ = w;
+    im->next = to;
     im->count++;
 }
 
@@ -42,14 +54,18 @@ static FGL_ALWAYS_INLINE void attribute(enum fgl_attr attr, const int size, floa
     if (FGL_UNLIKELY(!ctx))
         return;
     struct immediate *im = ctx->vertices;
-    const float v[4] = {x, y, z, w};
     if (FGL_UNLIKELY(im->format.size[attr] != size || im->mode > GL_POLYGON)) {
-        fgl_attr_set(ctx, attr, size, v);
+        uncommon_attribute(ctx, attr, size, x, y, z, w);
         return;
     }
     float *to = im->vertex + im->format.offset[attr];
-    for (int i = 0; i < size; i++)
-        to[i] = v[i];
+    to[0] = x;
+    if (size > 1)
+        to[1] = y;
+    if (size > 2)
+        to[2] = z;
+    if (size > 3)
+        to[3] = w;
 }
 
 #define VERTEX(T, s, f)                                                                                      \

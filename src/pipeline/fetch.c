@@ -44,10 +44,8 @@ FETCH(float, GLfloat, v, v)
 static FGL_ALWAYS_INLINE void fetch_floats(struct lanes4 *FGL_RESTRICT to, const char *from, ptrdiff_t stride, int n, const int size)
 {
     for (int i = 0; i < n; i++) {
-        float v[4];
-        memcpy(v, from + i * stride, (size_t)size * sizeof(float));
         for (int c = 0; c < size; c++)
-            to->c[c][i] = v[c];
+            memcpy(&to->c[c][i], from + i * stride + c * (ptrdiff_t)sizeof(float), sizeof(float));
     }
 }
 
