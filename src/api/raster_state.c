@@ -8,7 +8,7 @@
 void fgl_exec_PointSize(struct context *ctx, GLfloat size)
 {
     RETURN_ERROR_IF(ctx, !(size > 0), GL_INVALID_VALUE);
-    SET(ctx, DIRTY_RASTER, ctx->s.point.point_size, size);
+    SET(ctx, DIRTY_RASTER | DIRTY_POINT, ctx->s.point.point_size, size);
 }
 
 void fgl_exec_PointParameterfv(struct context *ctx, GLenum pname, const GLfloat *params)
@@ -16,7 +16,7 @@ void fgl_exec_PointParameterfv(struct context *ctx, GLenum pname, const GLfloat 
     const struct param *p = fgl_point_param(pname);
     RETURN_ERROR_IF(ctx, !p, GL_INVALID_ENUM);
     RETURN_ERROR_IF(ctx, !fgl_param_allows(p, params), GL_INVALID_VALUE);
-    fgl_param_set(ctx, DIRTY_RASTER, p, &ctx->s.point, params);
+    fgl_param_set(ctx, DIRTY_RASTER | DIRTY_POINT, p, &ctx->s.point, params);
 }
 
 void GLAPIENTRY glPointParameteriv(GLenum pname, const GLint *params)

@@ -114,7 +114,9 @@ struct fragment_plan {
 
     enum color_source color_source;
     float constant_color[4];
-    bool has_secondary; /* separate specular or colour sum: LANE_SECONDARY */
+    bool has_secondary; /* separate specular or colour sum, */
+    enum color_source secondary_source; /* from LANE_SECONDARY, or */
+    float constant_secondary[3];
     uint32_t texture_varying; /* bit: a unit whose texture coordinates differ by fragment */
     bool has_fog;
     GLenum fog_mode;
@@ -142,7 +144,7 @@ struct fragment_plan {
     struct framebuffer *fb;
 };
 
-/* Fills *plan from state, but arith, color_source, constant_color, has_secondary and texture_varying: these depend on the vertex
+/* Fills *plan from state, but arith, color_source, constant_color, the secondary colour's and texture_varying: these depend on the vertex
  * stage, and the caller has set them before. general: no fused kernel (FIXEDGL_PATH=general). */
 void fgl_fragment_validate(struct fragment_plan *plan, const struct server_state *s, struct framebuffer *fb,
                            bool general);

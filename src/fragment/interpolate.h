@@ -61,8 +61,9 @@ static inline void add_secondary_color(struct fragments *f, const struct fragmen
                                        const struct planes *p)
 {
     for (int c = 0; c < 3; c++) {
-        const real flat = PLANES(p)->a00[LANE_SECONDARY + c];
-        if (plan->color_source == COLOR_FLAT)
+        const bool constant = plan->secondary_source == COLOR_CONSTANT;
+        const real flat = constant ? (real)plan->constant_secondary[c] : PLANES(p)->a00[LANE_SECONDARY + c];
+        if (plan->secondary_source != COLOR_SMOOTH)
             FOR_GROUP(i) f->color[c][i] += flat;
         else
             FOR_GROUP(i) f->color[c][i] += plane_at(p, LANE_SECONDARY + c, f->fx[i], f->fy) * f->w[i];

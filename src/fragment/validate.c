@@ -6,7 +6,7 @@
 /* Lanes that the stages read but those of textures, in whole groups. */
 static int lanes_of(const struct fragment_plan *plan)
 {
-    if (plan->has_secondary || plan->has_fog)
+    if ((plan->has_secondary && plan->secondary_source != COLOR_CONSTANT) || plan->has_fog)
         return LANE_TEX0;
     return plan->color_source == COLOR_CONSTANT ? LANE_COLOR : LANE_SECONDARY;
 }

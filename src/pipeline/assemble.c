@@ -98,6 +98,15 @@ static FGL_ALWAYS_INLINE unsigned edge(const struct assembly *as, int i, int bit
     return as->filled ? 0 : (as->p->cache.edge_flag[number(as, i)] != 0.0f ? 1u << bit : 0);
 }
 
+/* The size of the point at vertex v. */
+static float point_size(const struct pipeline *p, uint32_t v)
+{
+    const int lane = p->plan.raster.size_lane;
+    if (!lane)
+        return p->plan.raster.point_size;
+    return p->plan.emit.arith == ARITH_EXACT ? (float)((const double *)record(p, v))[lane] : ((const float *)record(p, v))[lane];
+}
+
 static void points(const struct assembly *as, int n)
 {
     struct pipeline *p = as->p;
@@ -105,7 +114,7 @@ static void points(const struct assembly *as, int n)
         const uint32_t v = number(as, i);
         p->primitive = (struct primitive){1, {v, 0, 0}};
         if (p->cache.outcode[v] == 0)
-            fgl_raster_point(&p->plan.raster, record(p, v), p->plan.raster.point_size);
+            fgl_raster_point(&p->plan.raster, record(p, v), point_size(p, v));
     }
 }
 

@@ -9,7 +9,7 @@
 enum {
     CLIP_MAX_VERTICES = 3 + 6 + FGL_MAX_CLIP_PLANES, /* each plane adds one at most */
     CLIP_MAX_NEW = 2 * (6 + FGL_MAX_CLIP_PLANES),
-    RECORD_MAX = LANE_MAX + 8
+    RECORD_MAX = LANE_MAX + 12
 };
 
 struct clip_vertex {

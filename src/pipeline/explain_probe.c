@@ -159,7 +159,9 @@ static bool weigh(struct probe *probe, const uint32_t *elements, bool compiled, 
     p->cache.record = weights;
     p->plan.emit = emit;
     p->plan.raster.stride = p->plan.raster.lanes = LANE_SECONDARY;
-    p->plan.raster.two_sided = p->plan.raster.flat = false;
+    p->plan.raster.two_sided = p->plan.raster.flat = p->plan.raster.secondary = false;
+    p->plan.raster.size_lane = 0;
+    p->plan.raster.point_size = FGL_MAX_POINT_SIZE; /* the weights of a point are the same all over it */
     assemble(probe, elements, compiled);
     p->cache.record = record;
     p->plan = plan;

@@ -153,8 +153,9 @@ static void extend_vertices(struct plan *plan)
 {
     struct emit_plan *e = &plan->emit;
     struct raster_plan *r = &plan->raster;
-    const int back = e->stride - e->lanes;
+    const int back = (e->size_lane ? e->size_lane : e->stride) - e->lanes;
     r->lanes = r->back_lane = e->lanes = e->back_lane = LANE_TEX0 + 4;
+    e->size_lane = r->size_lane = 0;
     fgl_emit_layout(e, e->arith, e->lanes + back);
     r->stride = e->stride;
     plan->fetch |= 1u << ATTR_TEX0;

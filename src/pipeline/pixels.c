@@ -13,8 +13,6 @@ static void set_planes(struct planes *p, enum fgl_arith arith, const struct curr
     memset(p, 0, sizeof *p);
     fgl_plane_set(p, arith, LANE_OOW, 1);
     fgl_plane_set(p, arith, LANE_Z, (double)(clip_z * 0.5f + 0.5f));
-    for (int c = 0; c < 3; c++)
-        fgl_plane_set(p, arith, LANE_SECONDARY + c, (double)fgl_clamp01(current->raster_secondary_color[c]));
 }
 
 /* GL 1.5, 3.9 "Color Sum". */
@@ -38,6 +36,8 @@ void fgl_pixels_begin(struct context *ctx, enum pixel_kind kind, struct pixel_dr
     if (ctx->color_index)
         f->constant_color[0] = (float)fgl_index_mask((double)ctx->s.current.raster_index);
     f->has_secondary = kind == PIXELS_BITMAP && color_sum(&ctx->s);
+    for (int c = 0; c < 3; c++)
+        f->constant_secondary[c] = fgl_clamp01(ctx->s.current.raster_secondary_color[c]);
     f->samples_passed = ctx->count_samples ? &ctx->samples_passed : NULL;
     fgl_fragment_validate(f, &ctx->s, ctx->framebuffer, ctx->pipeline->general);
     if (kind != PIXELS_BITMAP)

@@ -205,6 +205,7 @@ static double time_pixels(const struct context *ctx, const struct server_state *
     double best = 1;
     f.color_source = source;
     f.has_secondary = secondary;
+    f.secondary_source = source == COLOR_FLAT ? COLOR_FLAT : COLOR_SMOOTH;
     fgl_fragment_validate(&f, s, fb, ctx->pipeline->general);
     start_planes(&planes, &f);
     const double step = nearer(&f) ? -0.01 : 0.01;

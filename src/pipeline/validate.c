@@ -5,7 +5,8 @@
 
 enum {
     VERTEX_DEPS = DIRTY_MODELVIEW | DIRTY_PROJECTION | DIRTY_TEXTURE_MATRIX | DIRTY_LIGHT | DIRTY_MATERIAL | DIRTY_CURRENT |
-                  DIRTY_NORMALIZE | DIRTY_CLIP_PLANE | DIRTY_VIEWPORT | DIRTY_VARYING | DIRTY_FOG | DIRTY_FRAMEBUFFER | DIRTY_TEXTURE,
+                  DIRTY_NORMALIZE | DIRTY_CLIP_PLANE | DIRTY_VIEWPORT | DIRTY_VARYING | DIRTY_FOG | DIRTY_FRAMEBUFFER | DIRTY_TEXTURE |
+                  DIRTY_POINT,
     FRAGMENT_DEPS = DIRTY_LIGHT | DIRTY_CURRENT | DIRTY_VARYING | DIRTY_FRAGMENT | DIRTY_FOG | DIRTY_FRAMEBUFFER | DIRTY_SCISSOR |
                     DIRTY_RASTER | DIRTY_TEXTURE | DIRTY_TEXTURE_MATRIX
 };
@@ -34,6 +35,10 @@ static uint32_t fetch_mask(const struct plan *plan)
         mask |= 1u << ATTR_NORMAL;
     if (!v->lighting)
         mask |= color_bit(v->color_index);
+    if (v->secondary_is_varying)
+        mask |= 1u << ATTR_SECONDARY_COLOR;
+    if (v->need_fog_coord)
+        mask |= 1u << ATTR_FOG_COORD;
     for (int m = 0; v->lighting && m < MAT_COUNT; m++)
         for (int face = 0; face < 2; face++)
             if (v->light.source[m][face] >= 0)
@@ -58,7 +63,7 @@ static void update_emit(struct plan *plan)
     struct emit_plan *e = &plan->emit;
     const enum fgl_arith arith = plan->vertex.arith;
     e->color = plan->fragment.color_source != COLOR_CONSTANT;
-    e->secondary = plan->fragment.has_secondary;
+    e->secondary = plan->fragment.has_secondary && plan->fragment.secondary_source != COLOR_CONSTANT;
     e->fog = plan->fragment.has_fog;
     e->two_sided = plan->vertex.lighting && plan->vertex.light.two_sided;
     e->textures = plan->vertex.textures;
@@ -67,15 +72,30 @@ static void update_emit(struct plan *plan)
     e->texture_lane = e->fog || e->secondary ? LANE_TEX0 : e->color ? LANE_SECONDARY : LANE_COLOR;
     e->lanes = e->texture_lane + 4 * e->textures;
     e->back_lane = e->lanes;
-    fgl_emit_layout(e, arith, e->lanes + (e->two_sided ? (e->secondary ? 8 : 4) : 0));
+    const int faces_end = e->lanes + (e->two_sided ? (e->secondary ? 8 : 4) : 0);
+    e->size_lane = plan->vertex.need_point_size ? faces_end : 0;
+    fgl_emit_layout(e, arith, faces_end + (e->size_lane ? LANE_GROUP : 0));
     plan->clip = fgl_clip_kernels(arith);
     struct raster_plan *r = &plan->raster;
     r->stride = e->stride;
     r->lanes = e->lanes;
     r->back_lane = e->back_lane;
     r->two_sided = e->two_sided;
-    r->flat = plan->fragment.color_source == COLOR_FLAT;
+    r->flat = plan->fragment.color_source == COLOR_FLAT || (e->secondary && plan->fragment.secondary_source == COLOR_FLAT);
+    r->secondary = e->secondary;
+    r->size_lane = e->size_lane;
     plan->decomposed = decomposed(r);
+}
+
+/* GL 1.5, 3.9 "Color Sum". */
+static void update_secondary(const struct context *ctx, struct fragment_plan *f, uint32_t varying)
+{
+    const struct lighting_state *l = &ctx->s.lighting;
+    const bool by_vertex = l->lighting || (varying & (1u << ATTR_SECONDARY_COLOR));
+    f->has_secondary = l->lighting ? l->light_model_color_control == GL_SEPARATE_SPECULAR_COLOR : ctx->s.fog.color_sum;
+    f->secondary_source = !by_vertex ? COLOR_CONSTANT : l->shade_model == GL_FLAT ? COLOR_FLAT : COLOR_SMOOTH;
+    for (int i = 0; i < 3; i++)
+        f->constant_secondary[i] = fgl_clamp01(ctx->s.current.attr[ATTR_SECONDARY_COLOR][i]);
 }
 
 static void update_fragment(struct context *ctx, struct pipeline *p, uint32_t varying)
@@ -88,7 +108,7 @@ static void update_fragment(struct context *ctx, struct pipeline *p, uint32_t va
         f->constant_color[i] = fgl_clamp01(ctx->s.current.attr[ATTR_COLOR][i]);
     if (ctx->color_index)
         f->constant_color[0] = (float)fgl_index_mask((double)ctx->s.current.attr[ATTR_INDEX][0]);
-    f->has_secondary = ctx->s.lighting.lighting && ctx->s.lighting.light_model_color_control == GL_SEPARATE_SPECULAR_COLOR;
+    update_secondary(ctx, f, varying);
     f->texture_varying = 0;
     for (int k = 0; k < plan->vertex.textures; k++)
         f->texture_varying |= 1u << plan->vertex.texture[k].unit;

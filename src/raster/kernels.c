@@ -10,7 +10,7 @@ static FGL_ALWAYS_INLINE void setup_planes(const struct raster_plan *plan, struc
                                            const real *const v[3], const real *provoking, bool front)
 {
     const struct gradients g = gradients_of(v);
-    const bool back = plan->two_sided && !front, secondary = plan->fragment->has_secondary;
+    const bool back = plan->two_sided && !front, secondary = plan->secondary;
     const int color = back ? plan->back_lane : LANE_COLOR;
 
     plane_lanes(planes, 0, LANE_COLOR, false, &g, v, 0);
@@ -38,7 +38,7 @@ static void setup_smooth_planes(const struct raster_plan *plan, struct planes *p
     plane_lanes(planes, 0, LANE_COLOR, false, &g, v, 0);
     plane_lanes(planes, LANE_SMOOTH, 4, true, &g, v, LANE_SMOOTH);
     if (plan->flat)
-        flat_planes(planes, provoking + LANE_COLOR, plan->fragment->has_secondary);
+        flat_planes(planes, provoking + LANE_COLOR, plan->secondary);
     PLANES(planes)->z_offset = 0;
     planes->smoothing = smoothing;
     planes->stipple = NULL;

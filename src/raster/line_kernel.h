@@ -120,7 +120,7 @@ static void line_planes(const struct raster_plan *plan, struct planes *p, const 
         PLANES(p)->a00[lane] = a0 - (dadx * (v0[LANE_X] - (real)0.5) + dady * (v0[LANE_Y] - (real)0.5));
     }
     if (plan->flat)
-        flat_planes(p, provoking + LANE_COLOR, plan->fragment->has_secondary);
+        flat_planes(p, provoking + LANE_COLOR, plan->secondary);
     PLANES(p)->z_offset = 0;
     p->smoothing = SMOOTH_NONE;
     p->stipple = NULL;

@@ -17,7 +17,7 @@ static void point_planes(const struct raster_plan *plan, struct planes *p, const
     for (int lane = LANE_Z; lane < plan->lanes; lane++)
         plane_constant(p, lane, lane < LANE_COLOR ? v[lane] : v[lane] * v[LANE_OOW]);
     if (plan->flat)
-        flat_planes(p, v + LANE_COLOR, plan->fragment->has_secondary);
+        flat_planes(p, v + LANE_COLOR, plan->secondary);
     PLANES(p)->z_offset = 0;
     p->smoothing = SMOOTH_NONE;
     p->stipple = NULL;

@@ -39,7 +39,7 @@ static bool offset_enabled(const struct raster_plan *plan, GLenum mode)
 static void copy_vertex(const struct raster_plan *plan, struct corner *to, const real *v, const real *color,
                         bool back)
 {
-    const bool secondary = plan->fragment->has_secondary;
+    const bool secondary = plan->secondary;
     const int from = back && plan->two_sided ? plan->back_lane : LANE_COLOR;
     memcpy(to->lane, v, (size_t)plan->lanes * sizeof(real));
     if (plan->lanes > LANE_COLOR)
@@ -95,7 +95,7 @@ static void polygon_mode(const struct raster_plan *plan, const void *a, const vo
     else
         for (int i = 0; i < 3; i++)
             if (edges >> i & 1)
-                fgl_raster_point(plan, corner[i].lane, plan->point_size);
+                fgl_raster_point(plan, corner[i].lane, plan->size_lane ? (float)v[i][plan->size_lane] : plan->point_size);
 }
 
 #endif

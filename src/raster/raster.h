@@ -69,6 +69,8 @@ struct raster_plan {
     enum smoothing polygon_smoothing; /* of filled polygons: SMOOTH_NONE or SMOOTH_WHOLE */
     bool polygon_stipple;
     const struct polygon_stipple_state *stipple;
+    bool secondary; /* vertices have a secondary colour */
+    int size_lane;  /* of the vertices' point size; 0: point_size is that of all */
     float line_width, point_size;
     bool line_smooth, point_smooth, line_stipple;
     int line_stipple_factor;
@@ -85,7 +87,7 @@ const struct raster_kernels *fgl_raster_kernels_of(enum fgl_isa isa, enum fgl_ar
  * enabled. */
 struct rect fgl_raster_bounds(const struct scissor_state *scissor, const struct framebuffer *fb);
 
-/* Fills all but stride, lanes, flat, two_sided, back_lane (the vertex stage's layout). */
+/* Fills all but stride, lanes, flat, two_sided, back_lane, secondary, size_lane (the vertex stage's layout). */
 void fgl_raster_validate(struct raster_plan *plan, const struct server_state *s,
                          const struct fragment_plan *fragment);
 

@@ -1,6 +1,8 @@
 /* From state to the rasterizer's plan (GL 1.5, chapter 3; 4.1.2 "Scissor Test"). */
 #include "raster/raster.h"
 
+#include <math.h>
+
 /* GL 1.5, 4.1.2: the scissor rectangle, y up, turned over and cut to the framebuffer. */
 struct rect fgl_raster_bounds(const struct scissor_state *scissor, const struct framebuffer *fb)
 {
@@ -75,7 +77,8 @@ void fgl_raster_validate(struct raster_plan *plan, const struct server_state *s,
                          s->line.line_stipple_pattern != 0xffff; /* OSMesa rule: else as if disabled */
     plan->line_stipple_factor = s->line.line_stipple_repeat;
     plan->line_stipple_pattern = s->line.line_stipple_pattern;
-    plan->point_size = s->point.point_size;
+    /* OSMesa rule: also a size that distance does not attenuate is clamped. */
+    plan->point_size = fminf(fmaxf(s->point.point_size, s->point.point_size_min), s->point.point_size_max);
     plan->point_smooth = s->point.point_smooth;
     plan->longer_road = takes_longer_road(plan);
     plan->triangle = plan->longer_road ? filled_triangle : plan->kernels->triangle;

@@ -13,7 +13,7 @@ enum {
     DIRTY_NORMALIZE = 1 << 6,   /* glEnable(GL_NORMALIZE, GL_RESCALE_NORMAL) */
     DIRTY_CLIP_PLANE = 1 << 7,  /* glClipPlane, glEnable(GL_CLIP_PLANEi) */
     DIRTY_VIEWPORT = 1 << 8,    /* glViewport, glDepthRange */
-    DIRTY_RASTER = 1 << 9,      /* glCullFace, glFrontFace, glPolygonMode, glPolygonOffset, glLineWidth, stipples, points */
+    DIRTY_RASTER = 1 << 9,      /* glCullFace, glFrontFace, glPolygonMode, glPolygonOffset, glLineWidth, stipples, points; DIRTY_POINT besides for sizes */
     DIRTY_FRAGMENT = 1 << 10,   /* glDepthFunc, glBlendFunc, glColorMask, fog, alpha, stencil, logic op, ... */
     DIRTY_SCISSOR = 1 << 11,    /* glScissor, glEnable(GL_SCISSOR_TEST) */
     DIRTY_FRAMEBUFFER = 1 << 12, /* OSMesaMakeCurrent, glDrawBuffer */
@@ -21,7 +21,8 @@ enum {
     DIRTY_FOG = 1 << 14,        /* glFog, glEnable(GL_FOG) */
     DIRTY_TEXTURE = 1 << 15,    /* glEnable(GL_TEXTURE_2D, GL_TEXTURE_GEN_S, ...), glTexEnv, glTexGen, glBindTexture,
                                    glTexParameter, images and deletions */
-    DIRTY_ALL = (1 << 16) - 1
+    DIRTY_POINT = 1 << 16,      /* glPointSize, glPointParameter: sizes by distance */
+    DIRTY_ALL = (1 << 17) - 1
 };
 
 #endif

@@ -22,6 +22,7 @@ struct emit_plan {
     int back_lane;
     int textures, texture_lane;
     int texture_unit[FGL_MAX_TEXTURE_UNITS]; /* whose given coordinates are handed over; -1: those computed */
+    int size_lane; /* the point's size, when it differs by vertex; 0: none */
 };
 
 /* Sets arith and stride, and the sizes that follow from them. */

@@ -59,6 +59,8 @@ static void emit_attributes(const struct emit_plan *plan, const struct vertex_ba
         for (int i = 0; i < n; i++)
             record[i * stride + 11] = RESULTS(batch)->fog_z[i];
     emit_textures(plan, batch, record);
+    for (int i = 0; i < n && plan->size_lane; i++)
+        record[i * stride + plan->size_lane] = (real)batch->point_size[i];
     if (plan->two_sided)
         emit4(record + plan->back_lane, stride, &RESULTS(batch)->color[1], n);
     if (plan->two_sided && plan->secondary)

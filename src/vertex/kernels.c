@@ -239,10 +239,14 @@ static bool shade_chunk(const struct vertex_plan *plan, struct vertex_batch *b, 
 
     if (plan->need_fog_z)
         eye_distance(plan, b, first, n, RESULTS(b)->fog_z);
+    if (plan->need_fog_coord)
+        given_fog_coord(plan, b, first, n, RESULTS(b)->fog_z);
     if (plan->need_point_size)
         point_sizes(plan, b, first, n);
     if (plan->color_is_varying)
         run_colors(b, first, n);
+    for (int c = 0; c < 3 && plan->secondary_is_varying; c++)
+        clamp_lane(b->in[ATTR_SECONDARY_COLOR].c[c] + first, RESULTS(b)->secondary[0].c[c] + first, n);
     if (plan->index_is_varying)
         mask_lane(b->in[ATTR_INDEX].c[0] + first, RESULTS(b)->color[0].c[0] + first, n);
     if (plan->textures)

@@ -91,12 +91,15 @@ void fgl_vertex_validate(struct vertex_plan *plan, struct context *ctx, uint32_t
         derive_viewport(plan, &ctx->s.viewport, framebuffer_height);
     if (dirty & DIRTY_CURRENT)
         memcpy(plan->constant, ctx->s.current.attr, sizeof plan->constant);
-    if (dirty & DIRTY_RASTER)
+    if (dirty & DIRTY_POINT)
         derive_point_size(plan, &ctx->s.point);
 
     plan->varying = varying;
     plan->lighting = ctx->s.lighting.lighting;
     plan->need_fog_z = ctx->s.fog.fog && ctx->s.fog.fog_coord_src != GL_FOG_COORDINATE;
+    plan->need_fog_coord = ctx->s.fog.fog && !plan->need_fog_z;
+    plan->secondary_is_varying =
+            ctx->s.fog.color_sum && !ctx->color_index && !plan->lighting && (varying >> ATTR_SECONDARY_COLOR & 1);
     plan->color_index = ctx->color_index;
     plan->index_is_varying = plan->color_index && !plan->lighting && (varying >> ATTR_INDEX & 1);
     plan->color_is_varying = !plan->color_index && !plan->lighting && (varying >> ATTR_COLOR & 1);
@@ -105,7 +108,7 @@ void fgl_vertex_validate(struct vertex_plan *plan, struct context *ctx, uint32_t
     if (!plan->lighting && plan->texgen_normal)
         fgl_normals_validate(plan, ctx);
     if (plan->lighting && dirty & (DIRTY_MODELVIEW | DIRTY_LIGHT | DIRTY_MATERIAL | DIRTY_CURRENT |
-                                   DIRTY_NORMALIZE | DIRTY_RASTER | DIRTY_VARYING | DIRTY_TEXTURE))
+                                   DIRTY_NORMALIZE | DIRTY_POINT | DIRTY_VARYING | DIRTY_TEXTURE))
         validate_lighting(plan, ctx);
 }
 

@@ -111,7 +111,8 @@ struct vertex_plan {
     bool lighting;
     bool need_eye;    /* lighting reads eye positions: local lights or viewer */
     bool need_normal; /* lighting reads normals */
-    bool need_fog_z;
+    bool need_fog_z;     /* fog by distance */
+    bool need_fog_coord; /* fog by the fog coordinate */
     bool need_point_size; /* attenuated by distance */
     enum normal_scaling normal_scaling;
     bool normal_in_eye_space; /* else object space: normal_matrix is not used */
@@ -126,6 +127,7 @@ struct vertex_plan {
     struct vertex_texture texture[FGL_MAX_TEXTURE_UNITS];
     bool texgen_eye, texgen_normal; /* some texture reads eye positions, eye space normals */
 
+    bool secondary_is_varying; /* without lighting: colour sum with secondary colours from the batch */
     bool color_is_varying; /* without lighting: colours come from the batch, else constant (not computed) */
     uint32_t varying;      /* the attributes that differ by vertex */
     float constant[ATTR_MATERIAL][4]; /* current values of the others */

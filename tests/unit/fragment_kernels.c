@@ -177,8 +177,9 @@ static void shade(const struct fragment_plan *plan, const struct planes *p, int 
                : plan->color_source == COLOR_FLAT ? p->a00[LANE_COLOR + i]
                                                   : plan->constant_color[i];
     for (int i = 0; i < 3 && plan->has_secondary; i++)
-        c[i] += plan->color_source == COLOR_FLAT ? p->a00[LANE_SECONDARY + i]
-                                                 : plane(p, LANE_SECONDARY + i, x, y) * w;
+        c[i] += plan->secondary_source == COLOR_SMOOTH ? plane(p, LANE_SECONDARY + i, x, y) * w
+                : plan->secondary_source == COLOR_FLAT ? p->a00[LANE_SECONDARY + i]
+                                                       : plan->constant_secondary[i];
     if (plan->has_fog) {
         const float f = fog_factor(plan, plane(p, LANE_FOG, x, y) * w);
         for (int i = 0; i < 3; i++)
@@ -400,7 +401,8 @@ static void compare_kernels(enum color_kind kind, int depth_bits, bool plain)
                        want = framebuffer_make(WIDTH, HEIGHT, kind, depth_bits),
                        got = framebuffer_make(WIDTH, HEIGHT, kind, depth_bits);
     struct fragment_plan plan = {.color_source = (enum color_source)one_of(3),
-                                 .has_secondary = !plain && one_of(3) == 0};
+                                 .has_secondary = !plain && one_of(3) == 0,
+                                 .secondary_source = (enum color_source)one_of(3)};
     struct planes planes;
     struct runs runs;
     random_state_of(&s, plain, kind != COLOR_FLOAT);
@@ -409,6 +411,8 @@ static void compare_kernels(enum color_kind kind, int depth_bits, bool plain)
     random_pixels(&start, &planes);
     for (int c = 0; c < 4; c++)
         plan.constant_color[c] = between(-0.1f, 1.1f);
+    for (int c = 0; c < 3; c++)
+        plan.constant_secondary[c] = between(0.0f, 1.0f);
 
     fgl_fragment_validate(&plan, &s, &want, false);
     assert_true(!plain || kind != COLOR_UNORM8 || plan.fill != plan.general);
