@@ -2,6 +2,8 @@
  * values. */
 #include "api/spec_state.h"
 
+#include <math.h>
+
 static void set_colors_and_lights(void)
 {
     const GLfloat v[4] = {0.25f, 0.5f, 0.75f, 0.5f};
@@ -66,12 +68,40 @@ static void set_fragments(void)
     glListBase(100);
 }
 
+static void set_pixels(void)
+{
+    const GLenum scales[] = {GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE, GL_ALPHA_SCALE, GL_DEPTH_SCALE},
+                 biases[] = {GL_RED_BIAS, GL_GREEN_BIAS, GL_BLUE_BIAS, GL_ALPHA_BIAS, GL_DEPTH_BIAS};
+    for (int i = 0; i < 5; i++) {
+        glPixelTransferf(scales[i], 2.5f + (GLfloat)i);
+        glPixelTransferf(biases[i], -0.5f - (GLfloat)i);
+    }
+    glPixelTransferi(GL_MAP_COLOR, GL_TRUE);
+    glPixelTransferi(GL_MAP_STENCIL, GL_TRUE);
+    glPixelTransferi(GL_INDEX_SHIFT, 3);
+    glPixelTransferi(GL_INDEX_OFFSET, -7);
+    glPixelZoom(2, -1.5f);
+    glClearAccum(-0.25f, 0.5f, 0.75f, 1);
+}
+
+/* The current raster position takes the current values along; a second one, behind the viewer, is invalid. */
+static void set_raster_position(void)
+{
+    const GLfloat outside[4] = {3, 2, 1, -0.5f};
+    glRasterPos3f(0.5f, 0.25f, -0.5f);
+    glRasterPos4fv(outside);
+}
+
 /* Every value of a group gets another than its initial value. */
 static void change_everything(void)
 {
     set_colors_and_lights();
     set_rasterization();
     set_fragments();
+    set_pixels();
+    set_raster_position();
+    glBindTexture(GL_TEXTURE_1D, 5);
+    glBindTexture(GL_TEXTURE_2D, 6);
     glMapGrid1f(7, 2, 3);
     glMapGrid2f(5, -1, 2, 6, 3, 2);
     for (int i = 0; i < SPEC_VALUES; i++) {
@@ -132,6 +162,37 @@ static void each_group(void **state)
     try_group(0);
     try_group(GL_ALL_ATTRIB_BITS);
     try_group(GL_ENABLE_BIT | GL_FOG_BIT);
+}
+
+/* GL 1.5, 6.1.2 "Data Conversions", and 2.9's table for what is normalized: to the nearest integer, halves either way. */
+static bool converts(const struct spec_value *s, double v, GLint n)
+{
+    const double real = s->normalized ? (4294967295.0 * v - 1.0) / 2.0 : v;
+    return fabs((double)n - real) <= 0.5 || (s->normalized && fabs((double)n - real) <= 1.0);
+}
+
+static void every_conversion(void **state)
+{
+    (void)state;
+    change_everything();
+    for (int i = 0; i < SPEC_VALUES; i++) {
+        const struct spec_value *s = &spec_state[i];
+        GLdouble d[16] = {0};
+        GLfloat f[16] = {0};
+        GLint n[16] = {0};
+        GLboolean b[16] = {0};
+        glGetDoublev(s->name, d);
+        glGetFloatv(s->name, f);
+        glGetIntegerv(s->name, n);
+        glGetBooleanv(s->name, b);
+        for (int k = 0; k < s->count; k++) {
+            if (f[k] == (GLfloat)d[k] && b[k] == (d[k] != 0) && converts(s, d[k], n[k]))
+                continue;
+            print_error("%s [%d]: double %g, float %g, integer %d, boolean %d\n", s->text, k, d[k], (double)f[k], n[k], b[k]);
+            fail();
+        }
+    }
+    assert_int_equal(glGetError(), GL_NO_ERROR);
 }
 
 /* What the tables of glGet do not show. */
@@ -235,6 +296,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
             GL_TEST(everything_is_changed),
             GL_TEST(each_group),
+            GL_TEST(every_conversion),
             GL_TEST(lights_materials_planes_stipple),
             GL_TEST(nested),
             GL_TEST(client_groups),

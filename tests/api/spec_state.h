@@ -1,6 +1,6 @@
-/* The state tables of the specification (GL 1.5, 6.2): each value that glGet knows, the groups of
- * glPushAttrib that it belongs to, and its initial value in a 64x64 context. Written from the specification,
- * not from the library. Values that no command can change yet have no group here. */
+/* The state tables of OpenGL 1.1 (in GL 1.5's numbers tables 6.5 to 6.12 and 6.14 to 6.32), with what 1.5 adds to their values: each value that
+ * glGet knows, the groups of glPushAttrib that it belongs to, its type, and its initial value in a 64x64 context. Written from the
+ * specification, not from the library. state_objects.c has the values that other queries return. */
 #ifndef TESTS_API_SPEC_STATE_H
 #define TESTS_API_SPEC_STATE_H
 
@@ -10,33 +10,30 @@ struct spec_value {
     const char *text;
     GLenum name;
     GLbitfield groups;
+    bool normalized; /* colors, normals, depths: 1.0 is the greatest integer (6.1.2) */
     int count;
     double initial[16];
 };
 
-#define V(name, groups, count, ...)                                                                          \
-    {                                                                                                        \
-#name, (name), (groups), (count),                                                                    \
-        {                                                                                                    \
-            __VA_ARGS__                                                                                      \
-        }                                                                                                    \
-    }
+#define ROW(name, groups, normalized, count, ...) {#name, (name), (groups), (normalized), (count), {__VA_ARGS__}}
+#define V(name, groups, count, ...) ROW(name, groups, false, count, __VA_ARGS__)
+#define UNIT(name, groups, count, ...) ROW(name, groups, true, count, __VA_ARGS__)
 #define CAP(name, groups, on) V(name, (groups) | GL_ENABLE_BIT, 1, on)
 #define IDENTITY 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1
 #define HINT(name) V(name, GL_HINT_BIT, 1, GL_DONT_CARE)
 
 static const struct spec_value spec_state[] = {
-        V(GL_CURRENT_COLOR, GL_CURRENT_BIT, 4, 1, 1, 1, 1),
+        UNIT(GL_CURRENT_COLOR, GL_CURRENT_BIT, 4, 1, 1, 1, 1),
         V(GL_CURRENT_INDEX, GL_CURRENT_BIT, 1, 1),
         V(GL_CURRENT_TEXTURE_COORDS, GL_CURRENT_BIT, 4, 0, 0, 0, 1),
-        V(GL_CURRENT_NORMAL, GL_CURRENT_BIT, 3, 0, 0, 1),
+        UNIT(GL_CURRENT_NORMAL, GL_CURRENT_BIT, 3, 0, 0, 1),
         V(GL_EDGE_FLAG, GL_CURRENT_BIT, 1, GL_TRUE),
-        V(GL_CURRENT_RASTER_POSITION, 0, 4, 0, 0, 0, 1),
-        V(GL_CURRENT_RASTER_DISTANCE, 0, 1, 0),
-        V(GL_CURRENT_RASTER_COLOR, 0, 4, 1, 1, 1, 1),
-        V(GL_CURRENT_RASTER_INDEX, 0, 1, 1),
-        V(GL_CURRENT_RASTER_TEXTURE_COORDS, 0, 4, 0, 0, 0, 1),
-        V(GL_CURRENT_RASTER_POSITION_VALID, 0, 1, GL_TRUE),
+        V(GL_CURRENT_RASTER_POSITION, GL_CURRENT_BIT, 4, 0, 0, 0, 1),
+        V(GL_CURRENT_RASTER_DISTANCE, GL_CURRENT_BIT, 1, 0),
+        UNIT(GL_CURRENT_RASTER_COLOR, GL_CURRENT_BIT, 4, 1, 1, 1, 1),
+        V(GL_CURRENT_RASTER_INDEX, GL_CURRENT_BIT, 1, 1),
+        V(GL_CURRENT_RASTER_TEXTURE_COORDS, GL_CURRENT_BIT, 4, 0, 0, 0, 1),
+        V(GL_CURRENT_RASTER_POSITION_VALID, GL_CURRENT_BIT, 1, GL_TRUE),
 
         V(GL_VERTEX_ARRAY, 0, 1, GL_FALSE),
         V(GL_VERTEX_ARRAY_SIZE, 0, 1, 4),
@@ -63,7 +60,7 @@ static const struct spec_value spec_state[] = {
         V(GL_PROJECTION_MATRIX, 0, 16, IDENTITY),
         V(GL_TEXTURE_MATRIX, 0, 16, IDENTITY),
         V(GL_VIEWPORT, GL_VIEWPORT_BIT, 4, 0, 0, TEST_SIZE, TEST_SIZE),
-        V(GL_DEPTH_RANGE, GL_VIEWPORT_BIT, 2, 0, 1),
+        UNIT(GL_DEPTH_RANGE, GL_VIEWPORT_BIT, 2, 0, 1),
         V(GL_MODELVIEW_STACK_DEPTH, 0, 1, 1),
         V(GL_PROJECTION_STACK_DEPTH, 0, 1, 1),
         V(GL_TEXTURE_STACK_DEPTH, 0, 1, 1),
@@ -72,9 +69,12 @@ static const struct spec_value spec_state[] = {
         CAP(GL_RESCALE_NORMAL, GL_TRANSFORM_BIT, 0),
         CAP(GL_CLIP_PLANE0, GL_TRANSFORM_BIT, 0),
         CAP(GL_CLIP_PLANE1, GL_TRANSFORM_BIT, 0),
+        CAP(GL_CLIP_PLANE2, GL_TRANSFORM_BIT, 0),
+        CAP(GL_CLIP_PLANE3, GL_TRANSFORM_BIT, 0),
+        CAP(GL_CLIP_PLANE4, GL_TRANSFORM_BIT, 0),
         CAP(GL_CLIP_PLANE5, GL_TRANSFORM_BIT, 0),
 
-        V(GL_FOG_COLOR, GL_FOG_BIT, 4, 0, 0, 0, 0),
+        UNIT(GL_FOG_COLOR, GL_FOG_BIT, 4, 0, 0, 0, 0),
         V(GL_FOG_INDEX, GL_FOG_BIT, 1, 0),
         V(GL_FOG_DENSITY, GL_FOG_BIT, 1, 1),
         V(GL_FOG_START, GL_FOG_BIT, 1, 0),
@@ -88,11 +88,17 @@ static const struct spec_value spec_state[] = {
         CAP(GL_COLOR_MATERIAL, GL_LIGHTING_BIT, 0),
         V(GL_COLOR_MATERIAL_PARAMETER, GL_LIGHTING_BIT, 1, GL_AMBIENT_AND_DIFFUSE),
         V(GL_COLOR_MATERIAL_FACE, GL_LIGHTING_BIT, 1, GL_FRONT_AND_BACK),
-        V(GL_LIGHT_MODEL_AMBIENT, GL_LIGHTING_BIT, 4, (double)0.2f, (double)0.2f, (double)0.2f, 1),
+        UNIT(GL_LIGHT_MODEL_AMBIENT, GL_LIGHTING_BIT, 4, (double)0.2f, (double)0.2f, (double)0.2f, 1),
         V(GL_LIGHT_MODEL_LOCAL_VIEWER, GL_LIGHTING_BIT, 1, GL_FALSE),
         V(GL_LIGHT_MODEL_TWO_SIDE, GL_LIGHTING_BIT, 1, GL_FALSE),
         V(GL_LIGHT_MODEL_COLOR_CONTROL, GL_LIGHTING_BIT, 1, GL_SINGLE_COLOR),
         CAP(GL_LIGHT0, GL_LIGHTING_BIT, 0),
+        CAP(GL_LIGHT1, GL_LIGHTING_BIT, 0),
+        CAP(GL_LIGHT2, GL_LIGHTING_BIT, 0),
+        CAP(GL_LIGHT3, GL_LIGHTING_BIT, 0),
+        CAP(GL_LIGHT4, GL_LIGHTING_BIT, 0),
+        CAP(GL_LIGHT5, GL_LIGHTING_BIT, 0),
+        CAP(GL_LIGHT6, GL_LIGHTING_BIT, 0),
         CAP(GL_LIGHT7, GL_LIGHTING_BIT, 0),
 
         V(GL_POINT_SIZE, GL_POINT_BIT, 1, 1),
@@ -116,6 +122,8 @@ static const struct spec_value spec_state[] = {
 
         CAP(GL_TEXTURE_1D, GL_TEXTURE_BIT, 0),
         CAP(GL_TEXTURE_2D, GL_TEXTURE_BIT, 0),
+        V(GL_TEXTURE_BINDING_1D, GL_TEXTURE_BIT, 1, 0),
+        V(GL_TEXTURE_BINDING_2D, GL_TEXTURE_BIT, 1, 0),
         CAP(GL_TEXTURE_GEN_S, GL_TEXTURE_BIT, 0),
         CAP(GL_TEXTURE_GEN_T, GL_TEXTURE_BIT, 0),
         CAP(GL_TEXTURE_GEN_R, GL_TEXTURE_BIT, 0),
@@ -125,7 +133,7 @@ static const struct spec_value spec_state[] = {
         V(GL_SCISSOR_BOX, GL_SCISSOR_BIT, 4, 0, 0, TEST_SIZE, TEST_SIZE),
         CAP(GL_ALPHA_TEST, GL_COLOR_BUFFER_BIT, 0),
         V(GL_ALPHA_TEST_FUNC, GL_COLOR_BUFFER_BIT, 1, GL_ALWAYS),
-        V(GL_ALPHA_TEST_REF, GL_COLOR_BUFFER_BIT, 1, 0),
+        UNIT(GL_ALPHA_TEST_REF, GL_COLOR_BUFFER_BIT, 1, 0),
         CAP(GL_STENCIL_TEST, GL_STENCIL_BUFFER_BIT, 0),
         V(GL_STENCIL_FUNC, GL_STENCIL_BUFFER_BIT, 1, GL_ALWAYS),
         V(GL_STENCIL_VALUE_MASK, GL_STENCIL_BUFFER_BIT, 1, 0xff),
@@ -148,11 +156,11 @@ static const struct spec_value spec_state[] = {
         V(GL_COLOR_WRITEMASK, GL_COLOR_BUFFER_BIT, 4, 1, 1, 1, 1),
         V(GL_DEPTH_WRITEMASK, GL_DEPTH_BUFFER_BIT, 1, 1),
         V(GL_STENCIL_WRITEMASK, GL_STENCIL_BUFFER_BIT, 1, 0xff),
-        V(GL_COLOR_CLEAR_VALUE, GL_COLOR_BUFFER_BIT, 4, 0, 0, 0, 0),
+        UNIT(GL_COLOR_CLEAR_VALUE, GL_COLOR_BUFFER_BIT, 4, 0, 0, 0, 0),
         V(GL_INDEX_CLEAR_VALUE, GL_COLOR_BUFFER_BIT, 1, 0),
-        V(GL_DEPTH_CLEAR_VALUE, GL_DEPTH_BUFFER_BIT, 1, 1),
+        UNIT(GL_DEPTH_CLEAR_VALUE, GL_DEPTH_BUFFER_BIT, 1, 1),
         V(GL_STENCIL_CLEAR_VALUE, GL_STENCIL_BUFFER_BIT, 1, 0),
-        V(GL_ACCUM_CLEAR_VALUE, 0, 4, 0, 0, 0, 0),
+        UNIT(GL_ACCUM_CLEAR_VALUE, GL_ACCUM_BUFFER_BIT, 4, 0, 0, 0, 0),
 
         V(GL_UNPACK_SWAP_BYTES, 0, 1, GL_FALSE),
         V(GL_UNPACK_LSB_FIRST, 0, 1, GL_FALSE),
@@ -170,27 +178,52 @@ static const struct spec_value spec_state[] = {
         V(GL_PACK_SKIP_ROWS, 0, 1, 0),
         V(GL_PACK_SKIP_PIXELS, 0, 1, 0),
         V(GL_PACK_ALIGNMENT, 0, 1, 4),
-        V(GL_MAP_COLOR, 0, 1, GL_FALSE),
-        V(GL_MAP_STENCIL, 0, 1, GL_FALSE),
-        V(GL_INDEX_SHIFT, 0, 1, 0),
-        V(GL_INDEX_OFFSET, 0, 1, 0),
-        V(GL_RED_SCALE, 0, 1, 1),
-        V(GL_GREEN_SCALE, 0, 1, 1),
-        V(GL_BLUE_SCALE, 0, 1, 1),
-        V(GL_ALPHA_SCALE, 0, 1, 1),
-        V(GL_DEPTH_SCALE, 0, 1, 1),
-        V(GL_RED_BIAS, 0, 1, 0),
-        V(GL_GREEN_BIAS, 0, 1, 0),
-        V(GL_BLUE_BIAS, 0, 1, 0),
-        V(GL_ALPHA_BIAS, 0, 1, 0),
-        V(GL_DEPTH_BIAS, 0, 1, 0),
-        V(GL_ZOOM_X, 0, 1, 1),
-        V(GL_ZOOM_Y, 0, 1, 1),
+        V(GL_MAP_COLOR, GL_PIXEL_MODE_BIT, 1, GL_FALSE),
+        V(GL_MAP_STENCIL, GL_PIXEL_MODE_BIT, 1, GL_FALSE),
+        V(GL_INDEX_SHIFT, GL_PIXEL_MODE_BIT, 1, 0),
+        V(GL_INDEX_OFFSET, GL_PIXEL_MODE_BIT, 1, 0),
+        V(GL_RED_SCALE, GL_PIXEL_MODE_BIT, 1, 1),
+        V(GL_GREEN_SCALE, GL_PIXEL_MODE_BIT, 1, 1),
+        V(GL_BLUE_SCALE, GL_PIXEL_MODE_BIT, 1, 1),
+        V(GL_ALPHA_SCALE, GL_PIXEL_MODE_BIT, 1, 1),
+        V(GL_DEPTH_SCALE, GL_PIXEL_MODE_BIT, 1, 1),
+        V(GL_RED_BIAS, GL_PIXEL_MODE_BIT, 1, 0),
+        V(GL_GREEN_BIAS, GL_PIXEL_MODE_BIT, 1, 0),
+        V(GL_BLUE_BIAS, GL_PIXEL_MODE_BIT, 1, 0),
+        V(GL_ALPHA_BIAS, GL_PIXEL_MODE_BIT, 1, 0),
+        V(GL_DEPTH_BIAS, GL_PIXEL_MODE_BIT, 1, 0),
+        V(GL_ZOOM_X, GL_PIXEL_MODE_BIT, 1, 1),
+        V(GL_ZOOM_Y, GL_PIXEL_MODE_BIT, 1, 1),
         V(GL_READ_BUFFER, GL_PIXEL_MODE_BIT, 1, GL_FRONT),
 
+        V(GL_PIXEL_MAP_I_TO_I_SIZE, 0, 1, 1),
+        V(GL_PIXEL_MAP_S_TO_S_SIZE, 0, 1, 1),
+        V(GL_PIXEL_MAP_I_TO_R_SIZE, 0, 1, 1),
+        V(GL_PIXEL_MAP_I_TO_G_SIZE, 0, 1, 1),
+        V(GL_PIXEL_MAP_I_TO_B_SIZE, 0, 1, 1),
+        V(GL_PIXEL_MAP_I_TO_A_SIZE, 0, 1, 1),
+        V(GL_PIXEL_MAP_R_TO_R_SIZE, 0, 1, 1),
+        V(GL_PIXEL_MAP_G_TO_G_SIZE, 0, 1, 1),
+        V(GL_PIXEL_MAP_B_TO_B_SIZE, 0, 1, 1),
+        V(GL_PIXEL_MAP_A_TO_A_SIZE, 0, 1, 1),
+
         CAP(GL_MAP1_COLOR_4, GL_EVAL_BIT, 0),
+        CAP(GL_MAP1_INDEX, GL_EVAL_BIT, 0),
+        CAP(GL_MAP1_NORMAL, GL_EVAL_BIT, 0),
+        CAP(GL_MAP1_TEXTURE_COORD_1, GL_EVAL_BIT, 0),
+        CAP(GL_MAP1_TEXTURE_COORD_2, GL_EVAL_BIT, 0),
+        CAP(GL_MAP1_TEXTURE_COORD_3, GL_EVAL_BIT, 0),
+        CAP(GL_MAP1_TEXTURE_COORD_4, GL_EVAL_BIT, 0),
+        CAP(GL_MAP1_VERTEX_3, GL_EVAL_BIT, 0),
         CAP(GL_MAP1_VERTEX_4, GL_EVAL_BIT, 0),
         CAP(GL_MAP2_COLOR_4, GL_EVAL_BIT, 0),
+        CAP(GL_MAP2_INDEX, GL_EVAL_BIT, 0),
+        CAP(GL_MAP2_NORMAL, GL_EVAL_BIT, 0),
+        CAP(GL_MAP2_TEXTURE_COORD_1, GL_EVAL_BIT, 0),
+        CAP(GL_MAP2_TEXTURE_COORD_2, GL_EVAL_BIT, 0),
+        CAP(GL_MAP2_TEXTURE_COORD_3, GL_EVAL_BIT, 0),
+        CAP(GL_MAP2_TEXTURE_COORD_4, GL_EVAL_BIT, 0),
+        CAP(GL_MAP2_VERTEX_3, GL_EVAL_BIT, 0),
         CAP(GL_MAP2_VERTEX_4, GL_EVAL_BIT, 0),
         CAP(GL_AUTO_NORMAL, GL_EVAL_BIT, 0),
         V(GL_MAP1_GRID_DOMAIN, GL_EVAL_BIT, 2, 0, 1),
@@ -211,6 +244,7 @@ static const struct spec_value spec_state[] = {
         V(GL_MAX_MODELVIEW_STACK_DEPTH, 0, 1, 32),
         V(GL_MAX_PROJECTION_STACK_DEPTH, 0, 1, 32),
         V(GL_MAX_TEXTURE_STACK_DEPTH, 0, 1, 10),
+        V(GL_MAX_TEXTURE_SIZE, 0, 1, 16384),
         V(GL_SUBPIXEL_BITS, 0, 1, 8),
         V(GL_MAX_PIXEL_MAP_TABLE, 0, 1, 256),
         V(GL_MAX_NAME_STACK_DEPTH, 0, 1, 64),

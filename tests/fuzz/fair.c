@@ -109,7 +109,7 @@ static bool clears_first(const struct script *s)
 bool script_is_fair(const struct script *s)
 {
     struct primitive p = {0};
-    bool in_list = false, executed = false, arrays = false;
+    bool in_list = false, executed = false, arrays = false, pointer = false;
     int pushed = 0;
     if (!clears_first(s))
         return false;
@@ -128,9 +128,10 @@ bool script_is_fair(const struct script *s)
         }
         if (!fair_order(s, i))
             return false;
+        pointer = pointer || command == CMD_VertexPointer || command == CMD_InterleavedArrays;
         if (command == CMD_RenderMode && !fair_render_mode(s, i))
             return false;
-        if ((command == CMD_DrawArrays || command == CMD_DrawElements) && !arrays)
+        if ((command == CMD_DrawArrays || command == CMD_DrawElements) && !(arrays && pointer))
             return false;
         if (command == CMD_Begin) {
             const int mode = (int)s->value[s->op[i].first];

@@ -10,7 +10,7 @@
  *   - in a list: a primitive that is not complete;
  *   - in a list: an attribute after the last vertex of a primitive;
  *   - in a list: an attribute outside Begin and End or, if it is executed, inside;
- *   - a draw from arrays while there is no vertex array;
+ *   - a draw from arrays while there is no vertex array, or none was ever given;
  *   - a call of a list without glGetFloatv (of the current color) just before it;
  *   - drawing into buffers that were never cleared;
  *   - glAccum before the buffer was cleared; meshes before a glMapGrid;

@@ -49,6 +49,12 @@ static void restore_current(struct generator *g)
     emit_normal(g);
 }
 
+/* No lines with a stipple, see random_mode. */
+static double mesh_mode(struct generator *g)
+{
+    return g->used[FEATURE_line_stipple] ? ONE_OF(g, GL_POINT, GL_FILL) : ONE_OF(g, GL_POINT, GL_LINE, GL_FILL, GL_FILL);
+}
+
 void feature_eval_mesh(struct generator *g)
 {
     if (g->compiling)
@@ -63,13 +69,13 @@ void feature_eval_mesh(struct generator *g)
         else
             toggle(g, GL_AUTO_NORMAL, 50);
         EMIT(g, MapGrid2f, integer(g, 1, 6), 0, 1, integer(g, 1, 6), real(g, 0.0, 0.3), real(g, 0.5, 1.0));
-        EMIT(g, EvalMesh2, ONE_OF(g, GL_POINT, GL_LINE, GL_FILL, GL_FILL), 0, integer(g, 1, 6), integer(g, 0, 2), integer(g, 3, 6));
+        EMIT(g, EvalMesh2, mesh_mode(g), 0, integer(g, 1, 6), integer(g, 0, 2), integer(g, 3, 6));
     } else {
         emit_map1(g, chance(g, 70) ? GL_MAP1_VERTEX_3 : GL_MAP1_VERTEX_4);
         if (chance(g, 40))
             emit_map1(g, GL_MAP1_COLOR_4);
         EMIT(g, MapGrid1f, integer(g, 1, 12), 0, real(g, 0.5, 1.0));
-        EMIT(g, EvalMesh1, ONE_OF(g, GL_POINT, GL_LINE), 0, integer(g, 1, 12));
+        EMIT(g, EvalMesh1, g->used[FEATURE_line_stipple] ? GL_POINT : ONE_OF(g, GL_POINT, GL_LINE), 0, integer(g, 1, 12));
     }
     restore_current(g);
 }

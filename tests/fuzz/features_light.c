@@ -87,7 +87,9 @@ void feature_lighting(struct generator *g)
 
 static void emit_material(struct generator *g)
 {
-    const double face = ONE_OF(g, GL_FRONT, GL_FRONT_AND_BACK, GL_FRONT_AND_BACK, GL_BACK);
+    /* Not GL_BACK alone where it becomes an attribute of vertices: OSMesa confuses it with another material then. */
+    const bool of_vertices = g->inside || g->compiling;
+    const double face = of_vertices ? ONE_OF(g, GL_FRONT, GL_FRONT_AND_BACK) : ONE_OF(g, GL_FRONT, GL_FRONT_AND_BACK, GL_FRONT_AND_BACK, GL_BACK);
     if (chance(g, 30)) {
         const double shininess = chance(g, 10) && g->plain_lights ? 0.0 : real(g, 0.5, 128.0);
         if (chance(g, 20))
@@ -123,7 +125,7 @@ void feature_material_inside(struct generator *g)
 void feature_color_material(struct generator *g)
 {
     if (chance(g, 70))
-        EMIT(g, ColorMaterial, ONE_OF(g, GL_FRONT, GL_BACK, GL_FRONT_AND_BACK),
+        EMIT(g, ColorMaterial, ONE_OF(g, GL_FRONT, GL_FRONT_AND_BACK),
              ONE_OF(g, GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION, GL_AMBIENT_AND_DIFFUSE));
     toggle(g, GL_COLOR_MATERIAL, 75);
 }

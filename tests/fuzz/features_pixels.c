@@ -218,9 +218,13 @@ void feature_read_pixels(struct generator *g)
                                  GL_LUMINANCE_ALPHA, GL_DEPTH_COMPONENT, GL_STENCIL_INDEX);
     if ((format == GL_DEPTH_COMPONENT && b->depth_bits == 0) || (format == GL_STENCIL_INDEX && b->stencil_bits == 0))
         return;
-    /* Luminance is a sum, which as an integer overflows in OSMesa. */
-    const double type = format == GL_LUMINANCE || format == GL_LUMINANCE_ALPHA ? ONE_OF(g, GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT)
-                                                                               : random_type(g, format)->type;
+    /* 1.0 overflows in OSMesa where it becomes an integer of 32 bits from a float: in sums, after a transfer, from some buffers. */
+    const bool overflows = format == GL_LUMINANCE || format == GL_LUMINANCE_ALPHA || b->type != GL_UNSIGNED_BYTE ||
+                           g->enabled[FEATURE_pixel_transfer] || g->enabled[FEATURE_pixel_map];
+    double type;
+    do
+        type = random_type(g, format)->type;
+    while ((type == GL_UNSIGNED_INT || type == GL_INT) && format != GL_STENCIL_INDEX && overflows);
     const bool map = format != GL_DEPTH_COMPONENT && chance(g, 15) && use(g, FEATURE_pixel_map);
     if (map)
         EMIT(g, PixelTransferi, format == GL_STENCIL_INDEX ? GL_MAP_STENCIL : GL_MAP_COLOR, GL_TRUE);

@@ -8,4 +8,4 @@ if ! ldconfig -p 2>/dev/null | grep -q 'libOSMesa\.so\.8' && ! [ -e "${OSMESA:-/
     exit 0
 fi
 [ -x "$program" ] || { echo "$program is not built"; exit 1; }
-exec "$program" --seed 1 --count 200 --seconds "${SECONDS_MAX:-20}" --show 3 --tries 150 "$BUILD/lib/libfixedgl.so" "${OSMESA:-libOSMesa.so.8}"
+exec "$program" --seed 1 --count 50 --seconds 18 --show 3 --tries 100 "$BUILD/lib/libfixedgl.so" "${OSMESA:-libOSMesa.so.8}"
