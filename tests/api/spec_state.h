@@ -15,12 +15,11 @@ struct spec_value {
     double initial[16];
 };
 
-#define ROW(name, groups, normalized, count, ...) {#name, (name), (groups), (normalized), (count), {__VA_ARGS__}}
-#define V(name, groups, count, ...) ROW(name, groups, false, count, __VA_ARGS__)
-#define UNIT(name, groups, count, ...) ROW(name, groups, true, count, __VA_ARGS__)
-#define CAP(name, groups, on) V(name, (groups) | GL_ENABLE_BIT, 1, on)
+#define V(name, groups, count, ...) {#name, (name), (groups), false, (count), {__VA_ARGS__}}
+#define UNIT(name, groups, count, ...) {#name, (name), (groups), true, (count), {__VA_ARGS__}}
+#define CAP(name, groups, on) {#name, (name), (groups) | GL_ENABLE_BIT, false, 1, {on}}
 #define IDENTITY 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1
-#define HINT(name) V(name, GL_HINT_BIT, 1, GL_DONT_CARE)
+#define HINT(name) {#name, (name), GL_HINT_BIT, false, 1, {GL_DONT_CARE}}
 
 static const struct spec_value spec_state[] = {
         UNIT(GL_CURRENT_COLOR, GL_CURRENT_BIT, 4, 1, 1, 1, 1),
