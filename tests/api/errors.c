@@ -1,31 +1,8 @@
 /* Errors of the commands that set and query state, and that a command which raises one changes nothing
- * (GL 1.5, 2.5 "GL Errors"). GL_INVALID_OPERATION between glBegin and glEnd is begin_end_errors.c. */
-#include "api/spec_state.h"
+ * (GL 1.5, 2.5 "GL Errors"). GL_INVALID_OPERATION between glBegin and glEnd is begin_end_errors.c; what draws is errors_drawing.c. */
+#include "api/refused.h"
 
 #include <math.h>
-
-static struct state_snapshot before, after;
-
-/* The call raises `error` and changes nothing that glGet can show. */
-#define REFUSED(error, call)                                                                                 \
-    do {                                                                                                     \
-        take_snapshot(&before);                                                                              \
-        EXPECT_ERROR((error), call);                                                                         \
-        take_snapshot(&after);                                                                               \
-        check_unchanged(#call, __FILE__, __LINE__);                                                          \
-    } while (0)
-
-static void check_unchanged(const char *call, const char *file, int line)
-{
-    for (int i = 0; i < SPEC_VALUES; i++) {
-        if (same_value(&before, &after, i))
-            continue;
-        print_error("%s:%d: %s changed %s\n", file, line, call, spec_state[i].text);
-        _fail(file, line);
-    }
-}
-
-enum { BAD = 0x1234 }; /* no enumerant */
 
 static void matrices(void **state)
 {

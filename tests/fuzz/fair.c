@@ -109,7 +109,7 @@ static bool clears_first(const struct script *s)
 bool script_is_fair(const struct script *s)
 {
     struct primitive p = {0};
-    bool in_list = false, executed = false, arrays = false, pointer = false;
+    bool in_list = false, executed = false, arrays = false, pointer = false, saved_pointer = false;
     int pushed = 0;
     if (!clears_first(s))
         return false;
@@ -128,6 +128,10 @@ bool script_is_fair(const struct script *s)
         }
         if (!fair_order(s, i))
             return false;
+        if (command == CMD_PushClientAttrib)
+            saved_pointer = pointer;
+        else if (command == CMD_PopClientAttrib)
+            pointer = saved_pointer;
         pointer = pointer || command == CMD_VertexPointer || command == CMD_InterleavedArrays;
         if (command == CMD_RenderMode && !fair_render_mode(s, i))
             return false;

@@ -219,10 +219,12 @@ void feature_client_attrib_stack(struct generator *g)
     if (g->compiling)
         return;
     const bool had_arrays = g->arrays_set;
-    EMIT(g, PushClientAttrib, ONE_OF(g, GL_CLIENT_VERTEX_ARRAY_BIT, GL_CLIENT_PIXEL_STORE_BIT, GL_CLIENT_ALL_ATTRIB_BITS));
+    const double mask = ONE_OF(g, GL_CLIENT_VERTEX_ARRAY_BIT, GL_CLIENT_PIXEL_STORE_BIT, GL_CLIENT_ALL_ATTRIB_BITS);
+    EMIT(g, PushClientAttrib, mask);
     emit_arrays(g);
     emit_draw_arrays(g);
     EMIT0(g, PopClientAttrib);
+    g->arrays_set = had_arrays || mask == GL_CLIENT_PIXEL_STORE_BIT;
     if (had_arrays) {
         EMIT(g, EnableClientState, GL_VERTEX_ARRAY);
         emit_draw_arrays(g);
