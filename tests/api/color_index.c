@@ -993,6 +993,24 @@ static void lists_and_attributes(void **state)
     EXPECT_MATERIAL(GL_FRONT, GL_COLOR_INDEXES, 4, 5, 6);
 }
 
+/* 3.8: textures are for RGBA mode. */
+static void textures(void **state)
+{
+    static const GLubyte white[4] = {255, 255, 255, 255};
+    (void)state;
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, white);
+    glEnable(GL_TEXTURE_2D);
+    glBegin(GL_TRIANGLES);
+    for (int i = 0; i < 3; i++) {
+        glIndexi(40 + i);
+        glTexCoord2i(i, i);
+        glVertex2i(i == 1 ? 60 : 2, i == 2 ? 60 : 2);
+    }
+    glEnd();
+    assert_in_range(pixel(20, 20), 40, 42);
+}
+
 static void polygon_modes(void **state)
 {
     (void)state;
@@ -1029,7 +1047,7 @@ int main(void)
             INDEX_TEST(stipples),         INDEX_TEST(antialiasing),     INDEX_TEST(draw_pixels),
             INDEX_TEST(read_and_copy),    INDEX_TEST(bitmaps),          INDEX_TEST(feedback),
             INDEX_TEST(selection),        INDEX_TEST(evaluators),       INDEX_TEST(lists_and_attributes),
-            INDEX_TEST(polygon_modes),    INDEX_TEST(explaining),
+            INDEX_TEST(textures),         INDEX_TEST(polygon_modes),    INDEX_TEST(explaining),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
