@@ -512,6 +512,10 @@ static void lit_extremes(void **state)
     glLightfv(GL_LIGHT0, GL_SPECULAR, (GLfloat[]){2, 2, 2, 1}); /* s' = 1 */
     point(1, 1);
     EXPECT_PIXEL(1, 1, 200);
+    glLightfv(GL_LIGHT0, GL_DIFFUSE, (GLfloat[]){10, 10, 10, 1}); /* nothing of it: 1 - s' is 0, not -1 */
+    glMaterialfv(GL_FRONT, GL_COLOR_INDEXES, (GLfloat[]){10, 160, 200});
+    point(1, 1);
+    EXPECT_PIXEL(1, 1, 200);
     glDisable(GL_LIGHT0);
     point(1, 1);
     EXPECT_PIXEL(1, 1, 10);
