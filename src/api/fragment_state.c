@@ -76,7 +76,7 @@ void fgl_exec_DepthMask(struct context *ctx, GLboolean flag)
     SET(ctx, DIRTY_FRAGMENT, ctx->s.depth.depth_writemask, flag != GL_FALSE);
 }
 
-/* GL 1.5, 4.1.7 "Blending": for the stored colour; the fragment's has GL_SRC_ALPHA_SATURATE besides. */
+/* GL 1.5, 4.1.8 "Blending": for the stored colour; the fragment's has GL_SRC_ALPHA_SATURATE besides. */
 static bool is_blend_factor(GLenum factor)
 {
     switch (factor) {

@@ -1,4 +1,4 @@
-/* The general path's end: from colours to the buffer (GL 1.5, 4.1.7 "Blending", 4.1.9 "Logical
+/* The general path's end: from colours to the buffer (GL 1.5, 4.1.8 "Blending", 4.1.10 "Logical
  * Operation", 4.2.2 "Fine Control of Buffer Updates"). */
 #ifndef FGL_FRAGMENT_BLEND_H
 #define FGL_FRAGMENT_BLEND_H

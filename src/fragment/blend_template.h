@@ -1,4 +1,4 @@
-/* Blending (GL 1.5, 4.1.7 "Blending") for one type of channel. Before each inclusion define CHANNEL, the
+/* Blending (GL 1.5, 4.1.8 "Blending") for one type of channel. Before each inclusion define CHANNEL, the
  * type, T(name), which makes the names below its own, and, for values a and b, MUL(a, b), COMPLEMENT(a) = 1 -
  * a, ADD(a, b) and SUB(a, b); `max` is the value of 1.0. FACTOR_OUT: a factor that source and destination
  * have in common multiplies their sum. Alpha is channel 3. */

@@ -17,7 +17,7 @@ static FGL_ALWAYS_INLINE uint32_t expand(uint32_t pixel, int shift, int n)
     return v << (8 - n) | v >> (2 * n - 8);
 }
 
-/* A buffer without alpha reads as opaque (GL 1.5, 4.1.7). */
+/* A buffer without alpha reads as opaque (GL 1.5, 4.1.8). */
 static inline void load_norm(const struct framebuffer *fb, int row, int x, uint32_t dst[4][FRAGMENT_GROUP])
 {
     const ptrdiff_t at = pixel_index(fb, row, x);

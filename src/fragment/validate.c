@@ -72,7 +72,7 @@ void fgl_fragment_validate(struct fragment_plan *plan, const struct server_state
     plan->depth_write = plan->depth_test && s->depth.depth_writemask;
     plan->stencil_test = s->stencil.stencil_test && fgl_framebuffer_need_stencil(fb) && fb->stencil;
     plan->logic_op = color->color_logic_op;
-    plan->blend = color->blend && !plan->logic_op; /* GL 1.5, 4.1.9: a logical operation replaces blending */
+    plan->blend = color->blend && !plan->logic_op; /* GL 1.5, 4.1.10: a logical operation replaces blending */
     plan->color_write = false;
     for (int i = 0; i < 4; i++) {
         plan->channel_write[i] = color->color_writemask[i] && color->draw_buffer != GL_NONE;
