@@ -20,7 +20,7 @@ static const char usage[] =
         "what a vertex costs: a table, two CSV files, and a page with plots.\n"
         "\n"
         "  --only NAME        one category, sweep or sphere; `fixedgl-measure list` has the names\n"
-        "  --vertices N       vertices per category                         (2560)\n"
+        "  --vertices N       vertices per category                         (1280)\n"
         "  --seed N           seed of the random scenes                     (20260101)\n"
         "  --out DIR          tradeoff.csv, sweeps.csv, index.html          (build/tradeoff)\n"
         "  --osmesa LIBRARY   the library to compare with                   (libOSMesa.so.8)\n"
@@ -123,7 +123,7 @@ static void free_jobs(struct tradeoff *t)
 int fgl_cli_tradeoff(int argc, char **argv)
 {
     struct tradeoff t = {
-            .output = "build/tradeoff", .osmesa = "libOSMesa.so.8", .vertices = 2560, .seed = "20260101"};
+            .output = "build/tradeoff", .osmesa = "libOSMesa.so.8", .vertices = 1280, .seed = "20260101"};
     struct problem problem;
     opterr = 0;
     for (int option, which = 0; (option = getopt_long(argc, argv, "", options, &which)) != -1;) {

@@ -28,8 +28,8 @@ void oracle_set_arrays(const struct oracle_vertex *vertices, bool colors);
  * color of vertex i; 0, 0, 0, 0 if it drew nothing. */
 void oracle_draw(const struct oracle_scene *scene, float rgba[ORACLE_VERTICES][4]);
 
-/* Nanoseconds per vertex, the quickest of some draws of some thousand: by the GL, as a strip of triangles
- * that have no area; or by a function that takes oracle_draw's place. */
+/* Nanoseconds per vertex, the quickest of some draws of some thousand: by the GL, as a strip of lines
+ * that have no length; or by a function that takes oracle_draw's place. */
 typedef void oracle_renderer(const struct oracle_scene *scene, float rgba[ORACLE_VERTICES][4]);
 double oracle_time_strip(const struct oracle_scene *scene);
 double oracle_time_renderer(const struct oracle_scene *scene, oracle_renderer *render);
