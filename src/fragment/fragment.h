@@ -117,6 +117,7 @@ struct fragment_plan {
     bool has_secondary; /* separate specular or colour sum, */
     enum color_source secondary_source; /* from LANE_SECONDARY, or */
     float constant_secondary[3];
+    bool keeps_color; /* colours are wanted, even if fragments do not use them: feedback */
     uint32_t texture_varying; /* bit: a unit whose texture coordinates differ by fragment */
     bool has_fog;
     GLenum fog_mode;
@@ -144,8 +145,8 @@ struct fragment_plan {
     struct framebuffer *fb;
 };
 
-/* Fills *plan from state, but arith, color_source, constant_color, the secondary colour's and texture_varying: these depend on the vertex
- * stage, and the caller has set them before. general: no fused kernel (FIXEDGL_PATH=general). */
+/* Fills *plan from state, but arith, color_source, constant_color, the secondary colour's, keeps_color and texture_varying: these depend on the
+ * vertex stage, and the caller has set them before. general: no fused kernel (FIXEDGL_PATH=general). */
 void fgl_fragment_validate(struct fragment_plan *plan, const struct server_state *s, struct framebuffer *fb,
                            bool general);
 

@@ -62,8 +62,11 @@ struct texture_stage {
 struct server_state;
 
 /* The stages of the units that are enabled and have a complete texture, in order; returns how many. Of the units in `varying` (bit: unit) the
- * coordinates are interpolated, from this lane on, packed; the others' are constant. */
+ * coordinates are interpolated, in lanes counted from 0; the others' are constant. */
 int fgl_texture_stages(struct texture_stage stage[FGL_MAX_TEXTURE_UNITS], const struct server_state *s,
-                       uint32_t varying, int lane);
+                       uint32_t varying);
+
+/* Whether the colour that comes out of the stages depends on the one that went in. */
+bool fgl_texture_reads_primary(const struct texture_stage *stage, int n);
 
 #endif

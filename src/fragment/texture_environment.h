@@ -72,7 +72,7 @@ static inline void combine_component(const struct combine_inputs *in, const stru
     switch (combine->function) {
     case GL_REPLACE: FOR_GROUP(i) to[i] = a[0][i]; break;
     case GL_MODULATE: FOR_GROUP(i) to[i] = a[0][i] * a[1][i]; break;
-    case GL_ADD: FOR_GROUP(i) to[i] = r_min(a[0][i] + a[1][i], 1); break;
+    case GL_ADD: FOR_GROUP(i) to[i] = a[0][i] + a[1][i]; break;
     case GL_ADD_SIGNED: FOR_GROUP(i) to[i] = a[0][i] + a[1][i] - (real)0.5; break;
     case GL_SUBTRACT: FOR_GROUP(i) to[i] = a[0][i] - a[1][i]; break;
     default: FOR_GROUP(i) to[i] = a[0][i] * a[2][i] + a[1][i] * (1 - a[2][i]); break; /* GL_INTERPOLATE */
@@ -86,7 +86,7 @@ static inline void apply_environment(const struct combine_inputs *in, const stru
     for (int c = 0; c < 4; c++) {
         const struct combine *combine = c == 3 && e->rgb.function != GL_DOT3_RGBA ? &e->alpha : &e->rgb;
         combine_component(in, e, stage, combine, f, c, to[c]);
-        const real scale = (real)combine->scale;
+        const real scale = (real)(c == 3 ? e->alpha.scale : e->rgb.scale); /* OSMesa rule: also for GL_DOT3_RGBA */
         if (scale != 1)
             FOR_GROUP(i) to[c][i] *= scale;
         if (e->clamped)

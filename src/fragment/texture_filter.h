@@ -124,18 +124,36 @@ static inline real lerp_real(real f, real a, real b)
     return r_fma(f, b - a, a);
 }
 
+/* The texels around the coordinates along axis k; for the nearest filter both are the same. rounded: see sample_real. */
+static inline void wrap_real(const struct sampler *sampler, const struct texture_level *level, const struct texture_coords *at, int k,
+                             enum texture_filter filter, const int32_t *rounded, struct texel_pair *to)
+{
+    struct texel_pair around;
+    if (filter == FILTER_LINEAR) {
+        wrap_linear(at->s[k], level->size[k], sampler->wrap[k], to);
+        return;
+    }
+    wrap_nearest(at->s[k], level->size[k], sampler->wrap[k], to->i0);
+    memcpy(to->i1, to->i0, sizeof to->i1);
+    memset(to->f, 0, sizeof to->f);
+    if (!rounded)
+        return;
+    wrap_linear(at->s[k], level->size[k], sampler->wrap[k], &around);
+    FOR_GROUP(i) to->i0[i] = rounded[i] ? around.i0[i] : to->i0[i];
+    FOR_GROUP(i) to->i1[i] = rounded[i] ? around.i1[i] : to->i1[i];
+    FOR_GROUP(i) to->f[i] = rounded[i] && around.f[i] > (real)0.5 ? 1 : 0;
+}
+
 static inline void filter_real(const struct sampler *sampler, const struct texture_level *level, const struct texture_coords *at,
-                               enum texture_filter filter, real texel[4][FRAGMENT_GROUP])
+                               enum texture_filter filter, const int32_t *rounded, real texel[4][FRAGMENT_GROUP])
 {
     struct texel_pair axis[3];
-    const bool linear = filter == FILTER_LINEAR;
+    const bool linear = filter == FILTER_LINEAR || rounded;
     for (int k = 0; k < 3; k++) {
-        if (k >= sampler->dimensions)
-            memset(&axis[k], 0, sizeof axis[k]);
-        else if (linear)
-            wrap_linear(at->s[k], level->size[k], sampler->wrap[k], &axis[k]);
+        if (k < sampler->dimensions)
+            wrap_real(sampler, level, at, k, filter, rounded, &axis[k]);
         else
-            wrap_nearest(at->s[k], level->size[k], sampler->wrap[k], axis[k].i0);
+            memset(&axis[k], 0, sizeof axis[k]);
     }
     FOR_GROUP(i) {
         real slice[2][4];

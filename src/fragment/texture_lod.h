@@ -1,13 +1,11 @@
 /* Which images of a texture each fragment reads: scale factor and level of detail (GL 1.5, 3.8.8 "Texture Minification"). Kernels only.
  *
- * OSMesa rules: both are found once for each square of 2 x 2 pixels at even x and y (y down), from the differences of its upper left pixel
- * to its neighbours; the scale factor is kept squared, but for 1D textures; its logarithm is linear between powers of two. */
+ * OSMesa rules: but for cube maps both are found once for each square of 2 x 2 pixels at even x and y (y down), from the differences of
+ * its upper left pixel to its neighbours; the scale factor is kept squared, but for 1D textures; its logarithm is linear between powers of two. */
 #ifndef FGL_FRAGMENT_TEXTURE_LOD_H
 #define FGL_FRAGMENT_TEXTURE_LOD_H
 
 #include "fragment/texture_filter.h"
-
-enum { FRAGMENT_QUADS = FRAGMENT_GROUP / 2 };
 
 /* For each fragment: mag is used, or min on `level` and, where f is not 0, on the next. */
 struct level_choice {
@@ -32,40 +30,55 @@ static FGL_ALWAYS_INLINE void coordinates_at(const struct texture_stage *stage, 
         FOR_GROUP(i) to[c][i] = plane_at(p, lane + c, fx[i], fy) * w[i] * over_q[i];
 }
 
-/* Half the reciprocal of a direction's greatest component: on the faces of a cube of half size 1/2. */
-static FGL_ALWAYS_INLINE real to_cube(real s, real t, real r)
-{
-    return (real)0.5 / r_max(r_abs(s), r_max(r_abs(t), r_abs(r)));
-}
-
-static FGL_ALWAYS_INLINE void project_to_cube(real s[3][FRAGMENT_GROUP])
-{
-    FOR_GROUP(i) {
-        const real scale = to_cube(s[0][i], s[1][i], s[2][i]);
-        s[0][i] *= scale;
-        s[1][i] *= scale;
-        s[2][i] *= scale;
-    }
-}
-
 /* The greater of the squared lengths of the derivatives by x and y, in texels of the base level. upper and lower: coordinates of the
  * quads' rows. One coordinate: not squared. */
 static FGL_ALWAYS_INLINE void scale_factors(const struct sampler *sampler, const int count, real upper[3][FRAGMENT_GROUP],
-                                            real lower[3][FRAGMENT_GROUP], real rho[FRAGMENT_QUADS])
+                                            real lower[3][FRAGMENT_GROUP], real rho[FRAGMENT_GROUP])
 {
-    const int *size = sampler->level[0].size;
-    const bool cube = sampler->target == TEXTURE_CUBE_MAP;
-    for (int k = 0; k < FRAGMENT_QUADS; k++) {
+    for (int k = 0; k < FRAGMENT_GROUP; k += 2) {
         real x2 = 0, y2 = 0, x1 = 0, y1 = 0;
         for (int c = 0; c < count; c++) {
-            const real n = cube ? 1 : (real)size[c];
-            const real dx = (upper[c][2 * k + 1] - upper[c][2 * k]) * n, dy = (lower[c][2 * k] - upper[c][2 * k]) * n;
+            const real n = (real)sampler->level[0].size[c];
+            const real dx = (upper[c][k + 1] - upper[c][k]) * n, dy = (lower[c][k] - upper[c][k]) * n;
             x1 = r_abs(dx);
             y1 = r_abs(dy);
             x2 = c ? x2 + dx * dx : dx * dx;
             y2 = c ? y2 + dy * dy : dy * dy;
         }
-        rho[k] = count == 1 ? r_max(x1, y1) : r_max(x2, y2) * (cube ? (real)(size[0] * size[0]) : 1);
+        rho[k] = rho[k + 1] = count == 1 ? r_max(x1, y1) : r_max(x2, y2);
+    }
+}
+
+/* The major axis of a direction: that of its greatest component. OSMesa rule: where components are equal z goes before y, y before x. */
+static FGL_ALWAYS_INLINE int major_axis(real x, real y, real z)
+{
+    return r_abs(z) >= r_max(r_abs(x), r_abs(y)) ? 2 : r_abs(x) > r_abs(y) ? 0 : 1;
+}
+
+/* The derivative of a coordinate c / 2m on a face, in texels, squared. */
+static FGL_ALWAYS_INLINE real face_derivative2(real dc, real c, real dm_over_m, real half_over_m, real n)
+{
+    const real d = (dc - c * dm_over_m) * half_over_m * n;
+    return d * d;
+}
+
+/* The same on the faces of a cube map, whose s t r are directions. OSMesa rule: for each fragment by itself, from its row's and its
+ * column's difference. */
+static FGL_ALWAYS_INLINE void cube_scale_factors(const struct sampler *sampler, real at[3][FRAGMENT_GROUP],
+                                                 real upper[3][FRAGMENT_GROUP], real lower[3][FRAGMENT_GROUP],
+                                                 real rho[FRAGMENT_GROUP])
+{
+    const real n = (real)sampler->level[0].size[0];
+    FOR_GROUP(i) {
+        const int axis = major_axis(at[0][i], at[1][i], at[2][i]), u = axis == 0 ? 2 : 0, v = axis == 1 ? 2 : 1;
+        const int left = i & ~1, right = i | 1;
+        const real over_m = 1 / at[axis][i], half = over_m * (real)0.5;
+        const real x = (at[axis][right] - at[axis][left]) * over_m, y = (lower[axis][i] - upper[axis][i]) * over_m;
+        const real x2 = face_derivative2(at[u][right] - at[u][left], at[u][i], x, half, n) +
+                        face_derivative2(at[v][right] - at[v][left], at[v][i], x, half, n);
+        const real y2 = face_derivative2(lower[u][i] - upper[u][i], at[u][i], y, half, n) +
+                        face_derivative2(lower[v][i] - upper[v][i], at[v][i], y, half, n);
+        rho[i] = r_max(x2, y2);
     }
 }
 
@@ -113,36 +126,28 @@ static FGL_ALWAYS_INLINE void choose_level(const struct sampler *sampler, const 
     }
 }
 
-/* coordinates: of this row. s is changed for cube maps: see project_to_cube. */
+/* at: the coordinates of this row. */
 static FGL_ALWAYS_INLINE void choose_levels(const struct fragments *fragments, const struct planes *p,
-                                            const struct texture_stage *stage, const int count,
-                                            real coordinates[3][FRAGMENT_GROUP], struct level_choice *to)
+                                            const struct texture_stage *stage, const int count, real at[3][FRAGMENT_GROUP],
+                                            struct level_choice *to)
 {
     const struct sampler *sampler = &stage->sampler;
-    real other[3][FRAGMENT_GROUP], w[FRAGMENT_GROUP], rho[FRAGMENT_QUADS];
+    real other[3][FRAGMENT_GROUP], w[FRAGMENT_GROUP], rho[FRAGMENT_GROUP];
     const real other_row = (real)(fragments->row ^ 1);
+    const bool odd = fragments->row & 1;
     FOR_GROUP(i) w[i] = 1 / plane_at(p, LANE_OOW, fragments->fx[i], other_row);
     coordinates_at(stage, p, fragments->fx, other_row, w, count, other);
     if (sampler->target == TEXTURE_CUBE_MAP)
-        project_to_cube(other);
-    if (fragments->row & 1)
-        scale_factors(sampler, count, other, coordinates, rho);
+        cube_scale_factors(sampler, at, odd ? other : at, odd ? at : other, rho);
     else
-        scale_factors(sampler, count, coordinates, other, rho);
-    for (int k = 0; k < FRAGMENT_QUADS; k++) {
-        int32_t magnify, level;
+        scale_factors(sampler, count, odd ? other : at, odd ? at : other, rho);
+    FOR_GROUP(i) {
+        int32_t level;
         real f;
-        choose_level(sampler, count, rho[k], &magnify, &level, &f);
-        if (sampler->mip == MIP_NONE || level < 0) {
-            level = 0;
-            f = 0;
-        } else if (level >= sampler->last_level) {
-            level = sampler->last_level;
-            f = 0;
-        }
-        to->magnify[2 * k] = to->magnify[2 * k + 1] = magnify;
-        to->level[2 * k] = to->level[2 * k + 1] = level;
-        to->f[2 * k] = to->f[2 * k + 1] = f;
+        choose_level(sampler, count, rho[i], &to->magnify[i], &level, &f);
+        const bool below = sampler->mip == MIP_NONE || level < 0, above = level >= sampler->last_level;
+        to->level[i] = below ? 0 : above ? sampler->last_level : level;
+        to->f[i] = below || above ? 0 : f;
     }
 }
 

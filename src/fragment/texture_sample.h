@@ -4,22 +4,19 @@
 
 #include "fragment/texture_lod.h"
 
-/* GL 1.5, table 3.19: the face of a direction and the coordinates on it. s is projected already. OSMesa rule: where components are equal z
- * goes before y, y before x. */
+/* GL 1.5, table 3.19: the face of a direction and the coordinates on it. */
 static inline void choose_faces(struct texture_coords *at)
 {
-    const real half = (real)0.5;
     FOR_GROUP(i) {
         const real x = at->s[0][i], y = at->s[1][i], z = at->s[2][i];
-        const real ax = r_abs(x), ay = r_abs(y), az = r_abs(z);
-        const int axis = az >= r_max(ax, ay) ? 2 : ax > ay ? 0 : 1;
-        const real major = axis == 2 ? z : axis == 0 ? x : y;
+        const int axis = major_axis(x, y, z);
+        const real major = axis == 2 ? z : axis == 0 ? x : y, scale = (real)0.5 / r_abs(major);
         const bool negative = major < 0;
         const real s = axis == 2 ? (negative ? -x : x) : axis == 0 ? (negative ? z : -z) : x;
         const real t = axis == 1 ? (negative ? -z : z) : -y;
         at->face[i] = 2 * axis + negative;
-        at->s[0][i] = s + half;
-        at->s[1][i] = t + half;
+        at->s[0][i] = s * scale + (real)0.5;
+        at->s[1][i] = t * scale + (real)0.5;
     }
 }
 
@@ -72,28 +69,47 @@ static FGL_ALWAYS_INLINE void sample_packed(const struct sampler *sampler, const
     }
 }
 
+/* OSMesa rule: where one fragment of a block of 4 x 2 needs the linear filter, all are filtered linearly, those that need the nearest texel
+ * with weights rounded to 0 and 1. Marks these. */
+static inline bool round_weights(const struct sampler *sampler, const struct level_choice *choice, int32_t rounded[FRAGMENT_GROUP])
+{
+    const int32_t flip = sampler->mag == FILTER_LINEAR ? 0 : -1;
+    int32_t any = 0;
+    for (int block = 0; block < FRAGMENT_GROUP; block += 4) {
+        int32_t linear = 0;
+        for (int i = block; i < block + 4; i++)
+            linear |= choice->magnify[i] ^ flip;
+        for (int i = block; i < block + 4; i++)
+            any |= rounded[i] = linear & ~(choice->magnify[i] ^ flip);
+    }
+    return any != 0;
+}
+
 static inline void sample_real(const struct sampler *sampler, const struct texture_coords *at, const struct level_choice *choice,
                                const int32_t *live, real texel[4][FRAGMENT_GROUP])
 {
+    int32_t rounded[FRAGMENT_GROUP];
+    int first, last;
     if (!sampler->needs_lod) {
-        filter_real(sampler, &sampler->level[0], at, sampler->mag, texel);
+        filter_real(sampler, &sampler->level[0], at, sampler->mag, NULL, texel);
         return;
     }
-    int first, last;
+    const bool mixed = !R_EXACT && sampler->min != sampler->mag && round_weights(sampler, choice, rounded);
     memset(texel, 0, 4 * sizeof texel[0]);
     if (any_magnified(choice, live))
-        filter_real(sampler, &sampler->level[0], at, sampler->mag, texel);
+        filter_real(sampler, &sampler->level[0], at, sampler->mag, mixed ? rounded : NULL, texel);
     if (!level_range(choice, live, &first, &last))
         return;
     for (int level = first; level <= last; level++) {
         real next[4][FRAGMENT_GROUP];
-        filter_real(sampler, &sampler->level[level], at, sampler->min, next);
+        filter_real(sampler, &sampler->level[level], at, sampler->min, mixed ? rounded : NULL, next);
         for (int c = 0; c < 4; c++)
             FOR_GROUP(i) {
-                const bool min = !choice->magnify[i];
-                texel[c][i] = min && choice->level[i] == level                              ? next[c][i]
-                              : min && choice->level[i] + 1 == level && choice->f[i] > 0 ? lerp_real(choice->f[i], texel[c][i], next[c][i])
-                                                                                         : texel[c][i];
+                const bool here = !choice->magnify[i] && choice->level[i] == level;
+                const bool above = !choice->magnify[i] && choice->level[i] + 1 == level && choice->f[i] > 0;
+                texel[c][i] = here    ? next[c][i]
+                              : above ? lerp_real(choice->f[i], texel[c][i], next[c][i])
+                                      : texel[c][i];
             }
     }
 }
@@ -122,8 +138,6 @@ static inline void sample_texture(const struct fragments *fragments, const struc
     coordinates_at(stage, p, fragments->fx, fragments->fy, fragments->w, sampler->compare_func ? 3 : count, at.s);
     if (sampler->compare_func)
         FOR_GROUP(i) at.compare[i] = r_min(r_max(at.s[2][i], 0), 1);
-    if (cube)
-        project_to_cube(at.s);
     if (sampler->needs_lod)
         choose_levels(fragments, p, stage, count, at.s, &choice);
     if (cube)

@@ -29,13 +29,7 @@ static bool needs_border(GLenum wrap)
     return wrap != GL_REPEAT && wrap != GL_CLAMP_TO_EDGE;
 }
 
-/* OSMesa rules: cube maps are clamped to their edges; GL_CLAMP never reaches the border with nearest filters. */
-static GLenum wrap_mode(const struct sampler *sampler, GLenum wrap)
-{
-    const bool nearest = sampler->min == FILTER_NEAREST && sampler->mag == FILTER_NEAREST;
-    return sampler->target == TEXTURE_CUBE_MAP || (nearest && wrap == GL_CLAMP) ? GL_CLAMP_TO_EDGE : wrap;
-}
-
+/* OSMesa rules: cube maps are clamped to their edges, and mixed filters need floats there. */
 static void derive_filters(struct sampler *to, const struct texture_parameters *p)
 {
     static const int dimensions[TEXTURE_TARGETS] = {1, 2, 3, 2};
@@ -43,23 +37,23 @@ static void derive_filters(struct sampler *to, const struct texture_parameters *
     to->mag = image_filter(p->mag_filter);
     to->mip = mip_filter(p->min_filter);
     to->dimensions = dimensions[to->target];
-    to->fixed_point = to->kind == TEXELS_UNORM8;
+    const bool cube = to->target == TEXTURE_CUBE_MAP;
+    to->fixed_point = to->kind == TEXELS_UNORM8 && (!cube || to->min == to->mag);
     for (int i = 0; i < 3; i++) {
-        to->wrap[i] = wrap_mode(to, p->wrap[i]);
+        to->wrap[i] = cube ? GL_CLAMP_TO_EDGE : p->wrap[i];
         to->fixed_point &= i >= to->dimensions || !needs_border(to->wrap[i]);
     }
     to->compare_func = to->kind == TEXELS_DEPTH && p->compare_mode == GL_COMPARE_R_TO_TEXTURE ? p->compare_func : 0;
     to->depth_mode = p->depth_mode;
 }
 
-/* OSMesa rules: the bias is a multiple of 1/256; limits that say nothing are left out; limits in the wrong order are exchanged. */
+/* OSMesa rules: the bias is a multiple of 1/256; limits that say nothing are left out. */
 static void derive_lod(struct sampler *to, const struct texture_parameters *p, float unit_bias)
 {
-    const float min_lod = fmaxf(p->min_lod, 0.0f), max_lod = p->max_lod;
     to->needs_lod = to->mip != MIP_NONE || to->min != to->mag;
     to->lod_bias = roundf(fmaxf(-16.0f, fminf(16.0f, p->lod_bias + unit_bias)) * 256.0f) / 256.0f;
-    to->min_lod = fminf(min_lod, max_lod);
-    to->max_lod = fmaxf(min_lod, max_lod);
+    to->min_lod = fmaxf(p->min_lod, 0.0f);
+    to->max_lod = p->max_lod;
     to->adjusts_lod = to->lod_bias != 0.0f || to->min_lod > 0.0f || to->max_lod < FGL_MAX_TEXTURE_LEVELS;
     to->magnify_below = to->mag == FILTER_LINEAR && to->min == FILTER_NEAREST && to->mip != MIP_NONE ? 0.5f : 0.0f;
 }
@@ -189,22 +183,58 @@ static GLenum environment_format(const struct sampler *sampler, GLenum base)
     return base == GL_DEPTH_COMPONENT ? sampler->depth_mode : base;
 }
 
+/* Whether the function may take values of [0,1] out of it. */
+static bool leaves_range(const struct combine *combine)
+{
+    const GLenum f = combine->function;
+    return combine->scale != 1.0f || !(f == GL_REPLACE || f == GL_MODULATE || f == GL_INTERPOLATE);
+}
+
 static void derive_environment(struct texture_environment *to, const struct texture_env *e, GLenum base)
 {
     if (e->mode == GL_COMBINE)
         derive_combine(to, e);
     else
         derive_simple(to, e->mode, base);
+    to->clamped = leaves_range(&to->rgb) || leaves_range(&to->alpha);
     for (int i = 0; i < 4; i++)
         to->color[i] = fgl_clamp01(e->color[i]);
 }
 
 /* ---- stages ---- */
 
-int fgl_texture_stages(struct texture_stage stage[FGL_MAX_TEXTURE_UNITS], const struct server_state *s, uint32_t varying,
-                       int lane)
+/* Whether a combiner reads RGB, alpha, of the fragment's colour as it is before the stage, which for the first stage is the primary colour. */
+static void note_reads(const struct combine *combine, bool for_alpha, bool previous[2], bool primary[2])
 {
-    int n = 0;
+    const int arguments = combine->function == GL_REPLACE ? 1 : combine->function == GL_INTERPOLATE ? 3 : 2;
+    for (int k = 0; k < arguments; k++) {
+        const GLenum operand = combine->operand[k];
+        const bool alpha = for_alpha || operand == GL_SRC_ALPHA || operand == GL_ONE_MINUS_SRC_ALPHA;
+        previous[alpha] |= combine->source[k] == GL_PREVIOUS;
+        primary[alpha] |= combine->source[k] == GL_PRIMARY_COLOR;
+    }
+}
+
+bool fgl_texture_reads_primary(const struct texture_stage *stage, int n)
+{
+    bool needed[2] = {true, true}, primary[2] = {false, false}; /* RGB, alpha */
+    for (int i = n - 1; i >= 0; i--) {
+        const struct texture_environment *e = &stage[i].environment;
+        const bool rgba = e->rgb.function == GL_DOT3_RGBA;
+        bool previous[2] = {false, false};
+        if (needed[0] || (needed[1] && rgba))
+            note_reads(&e->rgb, false, previous, primary);
+        if (needed[1] && !rgba)
+            note_reads(&e->alpha, true, previous, primary);
+        needed[0] = previous[0];
+        needed[1] = previous[1];
+    }
+    return needed[0] || needed[1] || primary[0] || primary[1];
+}
+
+int fgl_texture_stages(struct texture_stage stage[FGL_MAX_TEXTURE_UNITS], const struct server_state *s, uint32_t varying)
+{
+    int n = 0, lane = 0;
     for (int unit = 0; unit < FGL_MAX_TEXTURE_UNITS; unit++) {
         const struct texture_unit *u = &s->texture.unit[unit];
         const struct texture_object *object = u->enabled ? fgl_texture_current(u) : NULL;

@@ -51,10 +51,25 @@ static fragment_fill_fn *fused_kernel(const struct fragment_plan *plan)
 static void validate_index(struct fragment_plan *plan, const struct color_buffer_state *color)
 {
     plan->has_secondary = plan->alpha_test = plan->blend = false;
+    plan->textures = 0;
     plan->logic_op = color->index_logic_op;
     plan->color_write = color->index_writemask & FGL_INDEX_MAX && color->draw_buffer != GL_NONE;
     plan->lanes = lanes_of(plan);
     plan->fill = plan->general = fgl_fragment_kernels(plan->arith)->index;
+}
+
+/* OSMesa rule: a colour that textures replace is as if it were constant, which decides how quads are split. */
+static void validate_textures(struct fragment_plan *plan, const struct server_state *s)
+{
+    plan->textures = fgl_texture_stages(plan->texture, s, plan->texture_varying);
+    if (!plan->keeps_color && !plan->has_secondary && !fgl_texture_reads_primary(plan->texture, plan->textures))
+        plan->color_source = COLOR_CONSTANT;
+    plan->lanes = lanes_of(plan);
+    for (int i = 0; i < plan->textures; i++)
+        if (plan->texture[i].source == COORDINATES_PLANES) {
+            plan->texture[i].lane += lanes_of(plan);
+            plan->lanes += LANE_GROUP;
+        }
 }
 
 void fgl_fragment_validate(struct fragment_plan *plan, const struct server_state *s, struct framebuffer *fb,
@@ -78,14 +93,11 @@ void fgl_fragment_validate(struct fragment_plan *plan, const struct server_state
         plan->channel_write[i] = color->color_writemask[i] && color->draw_buffer != GL_NONE;
         plan->color_write |= plan->channel_write[i];
     }
-    plan->lanes = lanes_of(plan);
     if (fb->color_kind == COLOR_INDEX8) {
         validate_index(plan, color);
         return;
     }
-    plan->textures = fgl_texture_stages(plan->texture, s, plan->texture_varying, plan->lanes);
-    for (int i = 0; i < plan->textures; i++)
-        plan->lanes += plan->texture[i].source == COORDINATES_PLANES ? LANE_GROUP : 0;
+    validate_textures(plan, s);
 
     fragment_fill_fn *fused = general ? NULL : fused_kernel(plan);
     plan->general = fgl_fragment_kernels(plan->arith)->general;

@@ -31,7 +31,7 @@ static uint32_t fetch_mask(const struct plan *plan)
 {
     uint32_t mask = 1u << ATTR_POSITION;
     const struct vertex_plan *v = &plan->vertex;
-    if (v->need_normal)
+    if (v->need_normal || v->texgen_normal)
         mask |= 1u << ATTR_NORMAL;
     if (!v->lighting)
         mask |= color_bit(v->color_index);
@@ -109,6 +109,7 @@ static void update_fragment(struct context *ctx, struct pipeline *p, uint32_t va
     if (ctx->color_index)
         f->constant_color[0] = (float)fgl_index_mask((double)ctx->s.current.attr[ATTR_INDEX][0]);
     update_secondary(ctx, f, varying);
+    f->keeps_color = ctx->render_mode != GL_RENDER;
     f->texture_varying = 0;
     for (int k = 0; k < plan->vertex.textures; k++)
         f->texture_varying |= 1u << plan->vertex.texture[k].unit;
