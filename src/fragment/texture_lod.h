@@ -63,7 +63,7 @@ static FGL_ALWAYS_INLINE real face_derivative2(real dc, real c, real dm_over_m, 
 }
 
 /* The same on the faces of a cube map, whose s t r are directions. OSMesa rule: for each fragment by itself, from its row's and its
- * column's difference. */
+ * column's difference; without mipmaps for the upper left fragment of each quad. */
 static FGL_ALWAYS_INLINE void cube_scale_factors(const struct sampler *sampler, real at[3][FRAGMENT_GROUP],
                                                  real upper[3][FRAGMENT_GROUP], real lower[3][FRAGMENT_GROUP],
                                                  real rho[FRAGMENT_GROUP])
@@ -80,6 +80,8 @@ static FGL_ALWAYS_INLINE void cube_scale_factors(const struct sampler *sampler, 
                         face_derivative2(lower[v][i] - upper[v][i], at[v][i], y, half, n);
         rho[i] = r_max(x2, y2);
     }
+    if (sampler->mip == MIP_NONE)
+        FOR_GROUP(i) rho[i] = rho[i & ~1];
 }
 
 #if R_EXACT
@@ -138,7 +140,7 @@ static FGL_ALWAYS_INLINE void choose_levels(const struct fragments *fragments, c
     FOR_GROUP(i) w[i] = 1 / plane_at(p, LANE_OOW, fragments->fx[i], other_row);
     coordinates_at(stage, p, fragments->fx, other_row, w, count, other);
     if (sampler->target == TEXTURE_CUBE_MAP)
-        cube_scale_factors(sampler, at, odd ? other : at, odd ? at : other, rho);
+        cube_scale_factors(sampler, odd && sampler->mip == MIP_NONE ? other : at, odd ? other : at, odd ? at : other, rho);
     else
         scale_factors(sampler, count, odd ? other : at, odd ? at : other, rho);
     FOR_GROUP(i) {

@@ -29,7 +29,7 @@ static bool needs_border(GLenum wrap)
     return wrap != GL_REPEAT && wrap != GL_CLAMP_TO_EDGE;
 }
 
-/* OSMesa rules: cube maps are clamped to their edges, and mixed filters need floats there. */
+/* OSMesa rules: cube maps are clamped to their edges, and mixed filters with mipmaps need floats there. */
 static void derive_filters(struct sampler *to, const struct texture_parameters *p)
 {
     static const int dimensions[TEXTURE_TARGETS] = {1, 2, 3, 2};
@@ -38,7 +38,7 @@ static void derive_filters(struct sampler *to, const struct texture_parameters *
     to->mip = mip_filter(p->min_filter);
     to->dimensions = dimensions[to->target];
     const bool cube = to->target == TEXTURE_CUBE_MAP;
-    to->fixed_point = to->kind == TEXELS_UNORM8 && (!cube || to->min == to->mag);
+    to->fixed_point = to->kind == TEXELS_UNORM8 && (!cube || to->mip == MIP_NONE || to->min == to->mag);
     for (int i = 0; i < 3; i++) {
         to->wrap[i] = cube ? GL_CLAMP_TO_EDGE : p->wrap[i];
         to->fixed_point &= i >= to->dimensions || !needs_border(to->wrap[i]);
