@@ -65,6 +65,7 @@ const struct oracle_category oracle_categories[] = {
         {"light w 1e-40", generate_light_w, 1e-40, EXTREME},
         {"vertex w not 1", generate_vertex_w, 1, EXTREME},
         {"vertex w negative", generate_vertex_w, -1, EXTREME},
+        {"vertex w 0", generate_vertex_w, 0, EXTREME},
         {"directional light of length 1e-30", generate_direction_length, 1e-30, EXTREME},
         {"directional light of length 1e30", generate_direction_length, 1e30, EXTREME},
         {"directional light of length 1e-40", generate_direction_length, 1e-40, EXTREME},

@@ -167,12 +167,16 @@ void generate_light_w(struct random *r, struct oracle_scene *s, double w)
     oracle_aim_normals(r, s);
 }
 
-/* parameter: the sign of the vertices' w */
+/* parameter: the sign of the vertices' w; 0: that of every other vertex is 0 */
 void generate_vertex_w(struct random *r, struct oracle_scene *s, double sign)
 {
     generate_every_kind(r, s, 2);
-    for (int i = 0; i < s->count; i++)
-        oracle_multiply(s->vertex[i].position, 4, (float)sign * random_magnitude(r, 0.1f, 10));
+    s->alone = sign == 0;
+    for (int i = 0; i < s->count; i++) {
+        oracle_multiply(s->vertex[i].position, 4, (sign < 0 ? -1.0f : 1.0f) * random_magnitude(r, 0.1f, 10));
+        if (sign == 0 && i % 2)
+            s->vertex[i].position[3] = 0;
+    }
 }
 
 /* parameter: the length of the directional light's vector */

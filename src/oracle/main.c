@@ -66,7 +66,7 @@ static bool measure_lighting(const struct settings *settings, const char *name)
     return false;
 }
 
-/* A hundredth as many triangles as vertices: each has hundreds of pixels. */
+/* A twentieth as many triangles as vertices: each has hundreds of pixels. */
 static bool measure_triangles(const struct settings *settings, const char *name)
 {
     for (int i = 0; i < raster_category_count; i++) {
@@ -74,7 +74,7 @@ static bool measure_triangles(const struct settings *settings, const char *name)
             continue;
         if (!raster_open())
             return false;
-        const struct raster_error e = raster_measure(i, settings->seed, (settings->vertices + 99) / 100);
+        const struct raster_error e = raster_measure(i, settings->seed, (settings->vertices + 19) / 20);
         printf("error\t%.6g\t%.6g\t%.6g\t%ld\t%ld\t%ld\t%.4g\t%.6g\t%.6g\t%.6g\t%ld\t%ld\n", e.color.max,
                e.color.p999, e.color.mean, e.wrong_bytes, e.invalid, e.pixels, e.ns, e.depth.max,
                e.depth.p999, e.depth.mean, e.wrong_coverage, e.other_corners);

@@ -117,8 +117,8 @@ static void draw(const struct scene *scene, const struct instance *instance)
 
 #define SMALL(name, ...) {name, 500, 50, open, draw, &(const struct sphere){__VA_ARGS__, 20, 16}, false}
 #define LARGE(name, ...) {name, 500, 4, open, draw, &(const struct sphere){__VA_ARGS__, 500, 250}, false}
-#define FEW_PIXELS(name, lighting, exact)                                                                    \
-    {name, 64, 4, open, draw, &(const struct sphere){lighting, ARRAYS, false, 500, 250}, exact}
+#define LIT(name, lighting, exact)                                                                    \
+    {name, 500, 4, open, draw, &(const struct sphere){lighting, ARRAYS, false, 500, 250}, exact}
 const struct scene sphere_scenes[] = {
     SMALL("light: sphere 20x16, 500x500", SHINY, ARRAYS, false),
     LARGE("sphere 500x250, 1 directional, immediate", DIRECTIONAL, IMMEDIATE, false),
@@ -135,9 +135,9 @@ const struct scene sphere_scenes[] = {
     LARGE("all culled: 1 positional, arrays", POSITIONAL, ARRAYS, true),
     LARGE("all culled: 8 positional, immediate", EIGHT, IMMEDIATE, true),
     LARGE("all culled: 8 positional, arrays", EIGHT, ARRAYS, true),
-    FEW_PIXELS("lit vertices, 1 light, compatible", SHINY, false),
-    FEW_PIXELS("lit vertices, 1 light, exact", SHINY, true),
-    FEW_PIXELS("lit vertices, 8 lights, compatible", EIGHT, false),
-    FEW_PIXELS("lit vertices, 8 lights, exact", EIGHT, true),
+    LIT("lit vertices, 1 light, compatible", SHINY, false),
+    LIT("lit vertices, 1 light, exact", SHINY, true),
+    LIT("lit vertices, 8 lights, compatible", EIGHT, false),
+    LIT("lit vertices, 8 lights, exact", EIGHT, true),
     {0},
 };
