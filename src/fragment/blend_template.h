@@ -34,8 +34,9 @@ static inline void T(factor)(GLenum factor, int c, const CHANNEL src[4][FRAGMENT
     /* clang-format on */
 }
 
-/* One channel of the blend equation. */
-static inline void T(blend_channel)(const struct color_buffer_state *s, int c,
+/* One channel of the blend equation. A function of its own: GCC unrolls loops inside of another loop before it can make vectors of
+ * them. */
+static FGL_NOINLINE void T(blend_channel)(const struct color_buffer_state *s, int c,
                                     const CHANNEL src[4][FRAGMENT_GROUP],
                                     const CHANNEL dst[4][FRAGMENT_GROUP], const CHANNEL constant[4],
                                     CHANNEL max, CHANNEL *FGL_RESTRICT out)
@@ -56,13 +57,15 @@ static inline void T(blend_channel)(const struct color_buffer_state *s, int c,
             FACTOR_OUT && s->blend_src_rgb == s->blend_dst_rgb && s->blend_src_alpha == s->blend_dst_alpha;
     T(factor)(src_factor, c, src, dst, constant, max, sf);
     T(factor)(dst_factor, c, src, dst, constant, max, df);
-    FOR_GROUP(i) {
-        const CHANNEL a = common ? src[c][i] : MUL(src[c][i], sf[i]),
-                      b = common ? dst[c][i] : MUL(dst[c][i], df[i]);
-        out[i] = equation == GL_FUNC_SUBTRACT ? SUB(a, b)
-                 : equation == GL_FUNC_ADD    ? ADD(a, b)
-                                                       : SUB(b, a);
-    }
+    CHANNEL a[FRAGMENT_GROUP], b[FRAGMENT_GROUP];
+    FOR_GROUP(i) a[i] = common ? src[c][i] : MUL(src[c][i], sf[i]);
+    FOR_GROUP(i) b[i] = common ? dst[c][i] : MUL(dst[c][i], df[i]);
+    if (equation == GL_FUNC_ADD)
+        FOR_GROUP(i) out[i] = ADD(a[i], b[i]);
+    else if (equation == GL_FUNC_SUBTRACT)
+        FOR_GROUP(i) out[i] = SUB(a[i], b[i]);
+    else
+        FOR_GROUP(i) out[i] = SUB(b[i], a[i]);
     if (common)
         FOR_GROUP(i) out[i] = MUL(out[i], sf[i]);
 }

@@ -52,12 +52,21 @@ static void accumulate(void)
     gl.Accum(GL_RETURN, 1);
 }
 
+/* A point follows each clear: clears of what nobody saw could be left out. */
+static void clear(GLbitfield buffers)
+{
+    gl.Clear(buffers);
+    gl.Begin(GL_POINTS);
+    gl.Vertex2f(0, 0);
+    gl.End();
+}
+
 static void act(const struct scene *scene, const struct rectangle *r, void *image)
 {
     const int size = scene->size, part = (int)((float)size / r->zoom);
 
     switch (r->action) {
-    case CLEAR: gl.Clear(r->format); break;
+    case CLEAR: clear(r->format); break;
     case READ: gl.ReadPixels(0, 0, size, size, r->format, r->type, image); break;
     case DRAW: gl.DrawPixels(part, part, r->format, r->type, image); break;
     case COPY: gl.CopyPixels(0, 0, part, part, r->format); break;

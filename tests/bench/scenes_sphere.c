@@ -10,7 +10,7 @@ enum way { IMMEDIATE, ARRAYS, LIST };
 struct sphere {
     enum lighting lighting;
     enum way way;
-    bool culled;
+    bool culled; /* both faces */
     int slices, stacks;
 };
 
