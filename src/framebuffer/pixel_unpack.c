@@ -208,7 +208,7 @@ void fgl_unpack_color(const struct pixel_unpack *unpack, int row, int column, in
 /* OSMesa rule: depths pass through an integer of 32, 16 or 24 bits, by type, which floats are cut to; and 32
  * bits are read as their first 23. */
 struct depth_steps {
-    double max;
+    int bits;
     float step;
     int shift;
 };
@@ -216,40 +216,15 @@ struct depth_steps {
 static struct depth_steps depth_steps_of(GLenum type)
 {
     if (type == GL_UNSIGNED_INT)
-        return (struct depth_steps){4294967295.0, 1.0f / 8388607.0f, 9};
+        return (struct depth_steps){32, 1.0f / 8388607.0f, 9};
     if (type == GL_UNSIGNED_SHORT)
-        return (struct depth_steps){65535.0, 1.0f / 65535.0f, 0};
-    return (struct depth_steps){16777215.0, 1.0f / 16777215.0f, 0};
+        return (struct depth_steps){16, 1.0f / 65535.0f, 0};
+    return (struct depth_steps){24, 1.0f / 16777215.0f, 0};
 }
 
-/* Elements to depths in [0,1], not yet cut: signed ones as GL 1.5, table 2.9 says, (2c + 1) / (2^b - 1). */
-static void depth_to_float(const struct pixel_type *type, const uint32_t *v, int n, float *out)
-{
-    const double max = type->bytes ? (double)(0xffffffffu >> (32 - 8 * type->bytes)) : 1.0;
-    for (int i = 0; i < n; i++)
-        out[i] = type->kind == COMPONENT_FLOAT    ? float_of(v[i])
-                 : type->kind == COMPONENT_SIGNED ? (float)((2.0 * signed_of(v[i], type->bytes) + 1.0) / max)
-                                                  : (float)((double)v[i] / max);
-}
-
-void fgl_unpack_depth(const struct pixel_unpack *unpack, int row, int column, int n, float *out)
-{
-    const struct pixel_type *type = unpack->image.type;
-    const struct depth_steps s = depth_steps_of(type->type);
-    const bool exact = type->kind == COMPONENT_UNSIGNED && !fgl_transfer_depth_active(unpack->mode);
-    uint32_t v[PIXEL_CHUNK];
-    load_component(&unpack->image, row, column, n, 0, v);
-    depth_to_float(type, v, n, out);
-    fgl_transfer_depth(unpack->mode, out, n);
-    for (int i = 0; i < n && type->kind != COMPONENT_FLOAT; i++) {
-        const uint32_t whole =
-                exact ? (type->bytes == 1 ? v[i] * 65793 : v[i]) : (uint32_t)((double)out[i] * s.max);
-        out[i] = (float)(whole >> s.shift) * s.step;
-    }
-}
-
-/* OSMesa rules: signed integers as GL 1.5, table 2.9 says, but 0 of 8 and 16 bits is 0. */
-static float texel_depth(const struct pixel_type *type, uint32_t v)
+/* Depths in [0,1]. OSMesa rules: signed integers as GL 1.5, table 2.9 says, (2c + 1) / (2^b - 1), but with 2^b - 2 of 32 bits; and 0 of 8
+ * and 16 bits is 0. */
+static float depth_of(const struct pixel_type *type, uint32_t v)
 {
     const int32_t value = signed_of(v, type->bytes);
     switch (type->type) {
@@ -270,6 +245,22 @@ static uint32_t cut_depth(float depth, int bits)
     return bits <= 24 ? (uint32_t)(depth * max) : (uint32_t)((double)depth * (double)fgl_unorm_max(bits));
 }
 
+void fgl_unpack_depth(const struct pixel_unpack *unpack, int row, int column, int n, float *out)
+{
+    const struct pixel_type *type = unpack->image.type;
+    const struct depth_steps s = depth_steps_of(type->type);
+    const bool exact = type->kind == COMPONENT_UNSIGNED && !fgl_transfer_depth_active(unpack->mode);
+    uint32_t v[PIXEL_CHUNK];
+    load_component(&unpack->image, row, column, n, 0, v);
+    for (int i = 0; i < n; i++)
+        out[i] = depth_of(type, v[i]);
+    fgl_transfer_depth(unpack->mode, out, n);
+    for (int i = 0; i < n && type->kind != COMPONENT_FLOAT; i++) {
+        const uint32_t whole = exact ? (type->bytes == 1 ? v[i] * 65793 : v[i]) : cut_depth(out[i], s.bits);
+        out[i] = (float)(whole >> s.shift) * s.step;
+    }
+}
+
 void fgl_unpack_depth_texels(const struct pixel_unpack *unpack, int row, int column, int n, int bits, uint32_t *out)
 {
     const struct pixel_type *type = unpack->image.type;
@@ -281,7 +272,7 @@ void fgl_unpack_depth_texels(const struct pixel_unpack *unpack, int row, int col
     float depth[PIXEL_CHUNK];
     load_component(&unpack->image, row, column, n, 0, out);
     for (int i = 0; i < n; i++)
-        depth[i] = texel_depth(type, out[i]);
+        depth[i] = depth_of(type, out[i]);
     if (transfer)
         fgl_transfer_depth(unpack->mode, depth, n);
     for (int i = 0; i < n; i++)
