@@ -224,7 +224,7 @@ void fgl_exec_GetBufferSubData(struct context *ctx, GLenum target, GLintptr offs
         memcpy(data, b->data + offset, (size_t)size);
 }
 
-/* OSMesa rule: an empty buffer cannot be mapped: GL_OUT_OF_MEMORY. */
+/* OSMesa rule: an empty buffer cannot be mapped. */
 GLvoid *fgl_exec_MapBuffer(struct context *ctx, GLenum target, GLenum access)
 {
     RETURN_VALUE_ERROR_IF(ctx, access != GL_READ_ONLY && access != GL_WRITE_ONLY && access != GL_READ_WRITE, GL_INVALID_ENUM, NULL);
@@ -232,7 +232,7 @@ GLvoid *fgl_exec_MapBuffer(struct context *ctx, GLenum target, GLenum access)
     if (!b)
         return NULL;
     RETURN_VALUE_ERROR_IF(ctx, b->mapped, GL_INVALID_OPERATION, NULL);
-    RETURN_VALUE_ERROR_IF(ctx, !b->size, GL_OUT_OF_MEMORY, NULL);
+    RETURN_VALUE_ERROR_IF(ctx, !b->size, GL_INVALID_OPERATION, NULL);
     b->access = access;
     b->mapped = true;
     return b->data;

@@ -5,8 +5,11 @@
 
 #include "fixedgl.h"
 
-/* Only what works. */
-static const char extensions[] = "GL_EXT_rescale_normal GL_EXT_separate_specular_color";
+/* Only what works: extensions.def. */
+static const char extensions[] =
+#define EXTENSION(name) #name " "
+#include "api/extensions.def"
+        ;
 
 /* By enum fgl_isa. */
 static const char *const renderers[FGL_ISA_COUNT] = {"FixedGL software", "FixedGL software (AVX2)",

@@ -51,6 +51,18 @@ static void aliased_point(const struct raster_plan *plan, const real *v, float s
     }
 }
 
+/* GL_ARB_point_sprite: the square itself, whose edges need not be whole pixels. */
+static void point_sprite(const struct raster_plan *plan, const real *v, float size)
+{
+    const int64_t x = nearest((v[LANE_X] - (real)0.5) * 256), y = nearest((v[LANE_Y] - (real)0.5) * 256);
+    const int64_t half = (int64_t)(round_even(256.0 * (double)fmaxf(1.0f, size))) / 2;
+    const struct polygon square = {{x + half, x - half, x - half, x + half}, {y - half, y - half, y + half, y + half}};
+    struct planes planes;
+
+    point_planes(plan, &planes, v);
+    quad(plan, &square, &planes);
+}
+
 /* A square of two triangles around a disc; the fragment stage drops what lies outside the disc. */
 static void smooth_point(const struct raster_plan *plan, const real *v, float size)
 {
@@ -75,7 +87,9 @@ static void draw_point(const struct raster_plan *plan, const void *v, float size
 {
     if (!within_limit(v))
         return;
-    if (plan->point_smooth)
+    if (plan->point_sprite)
+        point_sprite(plan, v, size);
+    else if (plan->point_smooth)
         smooth_point(plan, v, size);
     else
         aliased_point(plan, v, size);

@@ -72,7 +72,7 @@ struct raster_plan {
     bool secondary; /* vertices have a secondary colour */
     int size_lane;  /* of the vertices' point size; 0: point_size is that of all */
     float line_width, point_size;
-    bool line_smooth, point_smooth, line_stipple;
+    bool line_smooth, point_smooth, point_sprite, line_stipple;
     int line_stipple_factor;
     uint16_t line_stipple_pattern;
     int framebuffer_height; /* stipple rows and y-up rules count from the bottom */

@@ -80,6 +80,7 @@ void fgl_raster_validate(struct raster_plan *plan, const struct server_state *s,
     /* OSMesa rule: also a size that distance does not attenuate is clamped. */
     plan->point_size = fminf(fmaxf(s->point.point_size, s->point.point_size_min), s->point.point_size_max);
     plan->point_smooth = s->point.point_smooth;
+    plan->point_sprite = s->point.point_sprite;
     plan->longer_road = takes_longer_road(plan);
     plan->triangle = plan->longer_road ? filled_triangle : plan->kernels->triangle;
 }

@@ -153,15 +153,17 @@ static FGL_ALWAYS_INLINE void eye_distance(const struct vertex_plan *FGL_RESTRIC
         distance[i] = r_abs(r_row4_w_first(load_position(b, i), PLAN_NUMBERS(plan)->modelview + 2));
 }
 
-/* GL 1.5, 3.10: the fog coordinate as it was given. */
+/* GL 1.5, 3.10: the fog coordinate as it was given. OSMesa rule: its magnitude. */
 static FGL_ALWAYS_INLINE void given_fog_coord(const struct vertex_plan *FGL_RESTRICT plan,
                                               struct vertex_batch *FGL_RESTRICT b, int first, int n,
                                               real *FGL_RESTRICT coord)
 {
     const bool varying = plan->varying >> ATTR_FOG_COORD & 1;
 
-    for (int i = first, end = first + whole_groups(n); i < end; i++)
-        coord[i] = varying ? (real)b->in[ATTR_FOG_COORD].c[0][i] : (real)plan->constant[ATTR_FOG_COORD][0];
+    for (int i = first, end = first + whole_groups(n); i < end; i++) {
+        const real c = varying ? (real)b->in[ATTR_FOG_COORD].c[0][i] : (real)plan->constant[ATTR_FOG_COORD][0];
+        coord[i] = R_EXACT ? c : r_abs(c);
+    }
 }
 
 /* GL 1.5, 3.3 "Points": the size attenuated by distance. */

@@ -164,6 +164,18 @@ static void a_vertex_material_that_is_no_number(void **state)
     expect_red(102, 255);
 }
 
+/* GL 1.5, 3.9: without lighting, colours are summed while GL_COLOR_SUM is enabled. */
+static void unlit_secondary_colors_are_not_summed(void **state)
+{
+    (void)state;
+    glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR);
+    glColor3f(0, 1, 0);
+    glSecondaryColor3f(1, 0, 0);
+    glRectf(-1, -1, 1, 1);
+    glFinish();
+    assert_int_equal(picture[0], on_fixedgl() ? 0 : 255);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -172,6 +184,7 @@ int main(void)
             GL_TEST(pop_restores_what_changed_inside_an_inner_push),
             GL_TEST(tracked_materials_follow_a_restored_color),
             GL_TEST(edges_show_after_filling),
+            GL_TEST(unlit_secondary_colors_are_not_summed),
             GL_TEST(eye_coordinates_are_divided_by_w),
             GL_TEST(shininess_0_is_no_falloff),
             GL_TEST(a_vertex_material_that_is_no_number),
