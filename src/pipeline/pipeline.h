@@ -134,6 +134,8 @@ struct clip_vertices {
 struct clip_kernels {
     void (*triangle)(struct pipeline *p, const struct raster_plan *raster, const struct clip_vertices *in);
     void (*line)(struct pipeline *p, const struct clip_vertices *in, int *stipple_counter);
+    /* Window position, distance and texture coordinates of a raster position; false: it is clipped, nothing is set. */
+    bool (*place)(struct context *ctx, const float object[4]);
 };
 const struct clip_kernels *fgl_clip_kernels(enum fgl_arith arith);
 

@@ -5,14 +5,14 @@
 
 #include <string.h>
 
-/* OSMesa rules: z goes through clip space; pixel rectangles have the fog coordinate 0, and no secondary
+/* OSMesa rules: z goes through clip space (not in exact mode); pixel rectangles have the fog coordinate 0, and no secondary
  * colour; the raster colours are clamped. */
 static void set_planes(struct planes *p, enum fgl_arith arith, const struct current_state *current)
 {
-    const float clip_z = current->raster_position[2] * 2.0f - 1.0f;
+    const float z = current->raster_position[2], clip_z = z * 2.0f - 1.0f;
     memset(p, 0, sizeof *p);
     fgl_plane_set(p, arith, LANE_OOW, 1);
-    fgl_plane_set(p, arith, LANE_Z, (double)(clip_z * 0.5f + 0.5f));
+    fgl_plane_set(p, arith, LANE_Z, (double)(arith == ARITH_EXACT ? z : clip_z * 0.5f + 0.5f));
 }
 
 /* GL 1.5, 3.9 "Color Sum". */

@@ -76,6 +76,28 @@ static void test_raster_position(void **state)
 }
 
 /* OSMesa takes the object coordinates for eye coordinates here. */
+/* Exact mode: from matrices that were never floats, whose sum here would lose the quarter. */
+static void test_exact_raster_position(void **state)
+{
+    (void)state;
+    if (!on_fixedgl())
+        return;
+    fixedglAccuracy(FIXEDGL_EXACT);
+    glTranslatef(16777216, 0, 0);
+    glTranslatef(0.25f, 0, 0);
+    glTranslatef(-16777216, 0, 0);
+    glRasterPos2i(0, 0);
+    EXPECT_VALUES(GL_CURRENT_RASTER_POSITION, 40, 32, 0.5f, 1);
+    const GLdouble plane[4] = {-1, 0, 0, 0.125};
+    glClipPlane(GL_CLIP_PLANE0, plane);
+    glEnable(GL_CLIP_PLANE0);
+    glRasterPos2f(0.0625f, 0);
+    EXPECT_VALUES(GL_CURRENT_RASTER_POSITION_VALID, 1);
+    EXPECT_VALUES(GL_CURRENT_RASTER_POSITION, 42, 32, 0.5f, 1);
+    glRasterPos2f(0.1875f, 0);
+    EXPECT_VALUES(GL_CURRENT_RASTER_POSITION_VALID, 0);
+}
+
 static void test_lit_raster_position(void **state)
 {
     (void)state;
@@ -482,6 +504,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
             GL_TEST(test_raster_position),
+            GL_TEST(test_exact_raster_position),
             GL_TEST(test_lit_raster_position),
             GL_TEST(test_draw_pixels_placement),
             GL_TEST(test_draw_pixels_formats),
