@@ -21,20 +21,19 @@ extern "C" {
 /* Returns the version of the library as a static string, "MAJOR.MINOR.PATCH". No context need be current. */
 GLAPI const char *GLAPIENTRY fixedglVersion(void);
 
-/* The arithmetic a context draws with: the specification's result to the last bit of a float; the operations
- * of Mesa's OSMesa in its order, so that pictures are equal byte by byte; the quickest. */
+/* The arithmetic a context draws with: the specification's result, in double, rounded once at the pixel; the operations
+ * of Mesa's OSMesa in its order, so that pictures are equal byte by byte. */
 #define FIXEDGL_EXACT 1
 #define FIXEDGL_COMPATIBLE 2
-#define FIXEDGL_FAST 3
 
-/* Sets the arithmetic of the current context's vertex stage and returns the one that was set before; 0 if there is
- * an error or no current context. A context begins with FIXEDGL_COMPATIBLE, or what the environment variable
- * FIXEDGL_ACCURACY says: exact or compatible. GL_INVALID_ENUM: mode is neither FIXEDGL_EXACT nor
- * FIXEDGL_COMPATIBLE (FIXEDGL_FAST is not implemented yet). GL_INVALID_OPERATION: between glBegin and glEnd. */
+/* Sets the arithmetic of the current context and returns the one that was set before; 0 if there is an error or no
+ * current context. A context begins with FIXEDGL_COMPATIBLE, or what the environment variable FIXEDGL_ACCURACY says:
+ * exact or compatible; anything else is FIXEDGL_COMPATIBLE and a line on stderr. GL_INVALID_ENUM: mode is neither
+ * FIXEDGL_EXACT nor FIXEDGL_COMPATIBLE. GL_INVALID_OPERATION: between glBegin and glEnd. */
 GLAPI GLenum GLAPIENTRY fixedglAccuracy(GLenum mode);
 
 /* The same as a hint: glHint(GL_LIGHTING_ACCURACY_HINT_FIXEDGL, mode), GL_NICEST: FIXEDGL_EXACT; GL_DONT_CARE:
- * FIXEDGL_COMPATIBLE; GL_FASTEST: the quickest that there is, FIXEDGL_COMPATIBLE. glGetIntegerv of it returns the
+ * FIXEDGL_COMPATIBLE; GL_FASTEST: FIXEDGL_COMPATIBLE, there is nothing faster. glGetIntegerv of it returns the
  * hint of the arithmetic that is set. glPopAttrib does not bring it back. */
 #define GL_LIGHTING_ACCURACY_HINT_FIXEDGL 0x1F5A1
 

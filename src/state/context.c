@@ -3,6 +3,7 @@
 
 #include "fixedgl.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -200,7 +201,11 @@ static GLenum accuracy_from_environment(void)
 {
     const char *name = getenv("FIXEDGL_ACCURACY");
 
-    return name && strcmp(name, "exact") == 0 ? FIXEDGL_EXACT : FIXEDGL_COMPATIBLE;
+    if (name && strcmp(name, "exact") == 0)
+        return FIXEDGL_EXACT;
+    if (name && strcmp(name, "compatible") != 0)
+        fprintf(stderr, "FixedGL: FIXEDGL_ACCURACY is %s: only exact and compatible are known\n", name);
+    return FIXEDGL_COMPATIBLE;
 }
 
 enum fgl_arith fgl_context_arith(const struct context *ctx)

@@ -211,7 +211,7 @@ static bool run_lighting(const struct vertex_plan *plan, struct vertex_batch *b,
         note3(trace->eye, work.eye);
     if (plan->need_eye && !R_EXACT)
         check_eye(plan, b, first, n, &work);
-    if (plan->need_eye && plan->light.local_viewer)
+    if (plan->need_eye && plan->need_view)
         normalize_view(&work, n);
     if (plan->need_normal)
         run_normals(plan, b, first, n, &work, general);

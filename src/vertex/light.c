@@ -195,7 +195,7 @@ static void derive_lights(struct vertex_plan *vertex, const struct lighting_stat
     struct lighting_plan *plan = &vertex->light;
 
     plan->n = 0;
-    vertex->need_eye = vertex->need_normal = false;
+    vertex->need_eye = vertex->need_view = vertex->need_normal = false;
     for (int i = 0; i < FGL_MAX_LIGHTS; i++) {
         const struct light *light = &state->light[i];
         struct light_derived *out = &plan->light[plan->n];
@@ -212,6 +212,7 @@ static void derive_lights(struct vertex_plan *vertex, const struct lighting_stat
         plan->n++;
         vertex->need_normal = true;
         vertex->need_eye |= (out->key & (LIGHT_POSITIONAL | LIGHT_LOCAL_VIEWER)) != 0;
+        vertex->need_view |= (out->key & LIGHT_LOCAL_VIEWER) != 0;
     }
 }
 

@@ -83,7 +83,7 @@ static FGL_ALWAYS_INLINE void check_eye(const struct vertex_plan *FGL_RESTRICT p
                                         struct vertex_work *FGL_RESTRICT work)
 {
     const real *m = PLAN_NUMBERS(plan)->modelview;
-    const bool local_viewer = plan->light.local_viewer;
+    const bool local_viewer = plan->need_view;
     const real nearest = (real)0x1p-7;
     real greatest = 0;
 

@@ -110,6 +110,7 @@ struct vertex_plan {
 
     bool lighting;
     bool need_eye;    /* lighting reads eye positions: local lights or viewer */
+    bool need_view;   /* lighting reads the direction of the local viewer */
     bool need_normal; /* lighting reads normals */
     bool need_fog_z;     /* fog by distance */
     bool need_fog_coord; /* fog by the fog coordinate */

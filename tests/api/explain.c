@@ -401,6 +401,12 @@ static void explained_is_drawn(void **state)
     assert_int_equal(glGetError(), GL_NO_ERROR);
 }
 
+static void explained_is_drawn_in_exact_mode(void **state)
+{
+    fixedglAccuracy(FIXEDGL_EXACT);
+    explained_is_drawn(state);
+}
+
 /* ---- terms ---- */
 
 /* A quad over the whole picture, two units before the eye, normal towards it. */
@@ -706,6 +712,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
             GL_TEST(explained_is_drawn),
+            GL_TEST(explained_is_drawn_in_exact_mode),
             GL_TEST(one_spot_by_hand),
             GL_TEST(weights_locate_the_pixel),
             GL_TEST(events_in_order),
