@@ -50,7 +50,7 @@ static void copy_colors(struct context *ctx, struct texture_image *image, int x,
     for (int i = 0; i < n; i++)
         for (int c = 0; c < 4; c++)
             plane[c][i] = pixel[4 * i + c];
-    fgl_texture_store_color(image, to_x, to_y, to_z, n, planes, false);
+    fgl_texture_store_color(image, to_x, to_y, to_z, n, planes, ROUND_DRAWN);
 }
 
 /* What lies outside of the framebuffer is undefined: its texels stay as they are. */

@@ -123,7 +123,7 @@ static bool through_bytes(const struct context *ctx, const struct texture_format
 
 /* n pixels of a row, from `column` on, to texels from x on. */
 static void store_pixels(const struct pixel_unpack *unpack, struct texture_image *image, int row, int column, int n, int x,
-                         int y, int z, bool bytes)
+                         int y, int z, enum texel_rounding rounding)
 {
     struct color_row colors;
     if (image->kind == TEXELS_DEPTH) {
@@ -134,7 +134,7 @@ static void store_pixels(const struct pixel_unpack *unpack, struct texture_image
     }
     fgl_unpack_color(unpack, row, column, n, &colors);
     const float *const planes[4] = {colors.channel[0], colors.channel[1], colors.channel[2], colors.channel[3]};
-    fgl_texture_store_color(image, x, y, z, n, planes, bytes);
+    fgl_texture_store_color(image, x, y, z, n, planes, rounding);
 }
 
 /* OSMesa rule: of a border nothing is read. */
@@ -146,13 +146,14 @@ static void store_image(struct context *ctx, const struct texture_call *call, co
     const int width = call->width - 2 * border, height = call->height - 2 * border_y, depth = call->depth - 2 * border_z;
     const struct pixel_image whole = fgl_pixel_image(source->store, call->format, call->type, call->width, source->pixels);
     struct pixel_unpack unpack = {.mode = &ctx->s.pixel_mode, .maps = ctx->pixel_map, .steps = steps_of(image->format)};
-    const bool bytes = through_bytes(ctx, image->format, call->format, call->type);
+    const enum texel_rounding rounding =
+            through_bytes(ctx, image->format, call->format, call->type) ? ROUND_THROUGH_BYTES : ROUND_GIVEN;
     for (int z = 0; z < depth; z++) {
         unpack.image = call->dimensions < 3 ? whole : fgl_pixel_slice(whole, source->store, call->height, z + border_z);
         for (int y = 0; y < height; y++)
             for (int x = 0; x < width; x += PIXEL_CHUNK)
                 store_pixels(&unpack, image, y + border_y, x + border, fgl_min(PIXEL_CHUNK, width - x), call->x + x,
-                             call->y + y, call->z + z, bytes);
+                             call->y + y, call->z + z, rounding);
     }
 }
 

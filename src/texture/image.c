@@ -48,12 +48,16 @@ bool fgl_texture_image_define(struct texture_image *image, enum texture_target t
 
 /* ---- quantising ---- */
 
+static uint32_t half_to_even(float v, int bits)
+{
+    const double magic = 6755399441055744.0; /* 1.5 * 2^52: adding it rounds to an integer, half to even */
+    return (uint32_t)(((double)(fgl_clamp01(v) * (float)fgl_unorm_max(bits)) + magic) - magic);
+}
+
 /* [0,1] to the nearest integer of so many bits. OSMesa rule: half up, but half to even for bytes. */
 static uint32_t quantise(float v, int bits)
 {
-    const double magic = 6755399441055744.0; /* 1.5 * 2^52: adding it rounds to an integer, half to even */
-    const float scaled = fgl_clamp01(v) * (float)fgl_unorm_max(bits);
-    return bits != 8 ? (uint32_t)(scaled + 0.5f) : (uint32_t)(((double)scaled + magic) - magic);
+    return bits == 8 ? half_to_even(v, bits) : (uint32_t)(fgl_clamp01(v) * (float)fgl_unorm_max(bits) + 0.5f);
 }
 
 /* Which channel of the source each channel of a texel comes from, or a constant. */
@@ -88,8 +92,18 @@ static void store_channel(struct texture_image *image, size_t first, int c, int 
     }
 }
 
+/* [0,1] to an integer of so many bits, as what is given asks for. */
+static uint32_t to_bits(float v, int bits, enum texel_rounding rounding)
+{
+    switch (rounding) {
+    case ROUND_THROUGH_BYTES: return fgl_unorm_resize(quantise(v, 8), 8, bits);
+    case ROUND_DRAWN: return bits == 5 || bits == 6 || bits == 1 ? quantise(v, 8) >> (8 - bits) : half_to_even(v, bits);
+    default: return quantise(v, bits);
+    }
+}
+
 void fgl_texture_store_color(struct texture_image *image, int x, int y, int z, int n, const float *const color[4],
-                             bool through_bytes)
+                             enum texel_rounding rounding)
 {
     int source[4];
     uint32_t v[TEXTURE_RUN];
@@ -98,14 +112,8 @@ void fgl_texture_store_color(struct texture_image *image, int x, int y, int z, i
     const size_t first = 4 * fgl_texel_index(image, x, y, z);
     for (int c = 0; c < 4; c++) {
         const int s = source[c], bits = s < ZERO ? image->format->bits[s] : 8;
-        for (int i = 0; i < n; i++) {
-            if (s >= ZERO)
-                v[i] = s == ONE ? 255 : 0;
-            else if (through_bytes)
-                v[i] = fgl_unorm_resize(quantise(color[s][i], 8), 8, bits);
-            else
-                v[i] = quantise(color[s][i], bits);
-        }
+        for (int i = 0; i < n; i++)
+            v[i] = s == ZERO ? 0 : s == ONE ? 255 : to_bits(color[s][i], bits, rounding);
         store_channel(image, first, c, n, bits, v);
     }
 }

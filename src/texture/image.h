@@ -25,10 +25,16 @@ static inline size_t fgl_texel_index(const struct texture_image *image, int x, i
     return ((size_t)z * (size_t)image->height + (size_t)y) * (size_t)image->width + (size_t)x;
 }
 
-/* Stores n texels from (x, y, z) on. n <= TEXTURE_RUN. color: four planes, red to alpha; through_bytes: they are rounded to bytes first,
- * which then get more or fewer bits. */
+/* OSMesa rules: how colours in [0,1] become integers of the format's bits. */
+enum texel_rounding {
+    ROUND_GIVEN,         /* as pixels of programs: half up, but half to even for bytes */
+    ROUND_THROUGH_BYTES, /* to bytes, which then get more or fewer bits */
+    ROUND_DRAWN          /* as what is drawn: half to even; but fields of 1, 5 and 6 bits are cut from bytes */
+};
+
+/* Stores n texels from (x, y, z) on. n <= TEXTURE_RUN. color: four planes, red to alpha. */
 void fgl_texture_store_color(struct texture_image *image, int x, int y, int z, int n, const float *const color[4],
-                             bool through_bytes);
+                             enum texel_rounding rounding);
 void fgl_texture_store_depth(struct texture_image *image, int x, int y, int z, int n, const uint32_t *depth); /* of the format's bits */
 
 /* n texels as colours, four planes: what drawing would see of them, but formats of less than 8 bits with all their precision (GL 1.5, 6.1.4

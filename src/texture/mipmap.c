@@ -5,18 +5,18 @@
 
 #include <stdlib.h>
 
-/* Two neighbouring texels of the source and how much of the second: 0..256. */
+/* Two neighbouring texels of the source, and how much of the second: in 256ths, and not rounded. */
 struct tap {
     int first, second, weight;
+    float fraction;
 };
 
 /* OSMesa rule: level by level the image is drawn at half its size with GL_LINEAR and GL_CLAMP_TO_EDGE. */
 static struct tap tap_of(int i, int from, int to)
 {
-    const float s = ((float)i + 0.5f) / (float)to;
-    const int u = (int)(s * (float)(from * 256) + 0.5f) - 128;
-    const int index = u >> 8;
-    return (struct tap){fgl_clamp(index, 0, from - 1), fgl_clamp(index + 1, 0, from - 1), u & 255};
+    const float s = ((float)i + 0.5f) / (float)to, center = s * (float)from - 0.5f;
+    const int u = (int)(s * (float)(from * 256) + 0.5f) - 128, index = u >> 8;
+    return (struct tap){fgl_clamp(index, 0, from - 1), fgl_clamp(index + 1, 0, from - 1), u & 255, center - (float)index};
 }
 
 static int lerp_byte(int weight, int a, int b)
@@ -24,9 +24,9 @@ static int lerp_byte(int weight, int a, int b)
     return (a + ((weight * (b - a) + 128) >> 8)) & 255;
 }
 
-static float lerp_float(int weight, float a, float b)
+static float lerp_float(float fraction, float a, float b)
 {
-    return a + (float)weight * (1.0f / 256.0f) * (b - a);
+    return a + fraction * (b - a);
 }
 
 struct taps {
@@ -63,10 +63,10 @@ static void average_floats(const struct texture_image *from, const struct taps *
         for (int i = 0; i < 8; i++)
             v[i] = texels[corner(from, t, i, components) + (size_t)c];
         for (int i = 0; i < 4; i++)
-            v[i] = lerp_float(t->x.weight, v[2 * i], v[2 * i + 1]);
+            v[i] = lerp_float(t->x.fraction, v[2 * i], v[2 * i + 1]);
         for (int i = 0; i < 2; i++)
-            v[i] = lerp_float(t->y.weight, v[2 * i], v[2 * i + 1]);
-        out[c] = lerp_float(t->z.weight, v[0], v[1]);
+            v[i] = lerp_float(t->y.fraction, v[2 * i], v[2 * i + 1]);
+        out[c] = lerp_float(t->z.fraction, v[0], v[1]);
     }
 }
 
@@ -89,7 +89,7 @@ static void make_texel(const struct texture_image *from, struct texture_image *t
         average_floats(from, t, 4, v);
     }
     const float *const planes[4] = {&v[0], &v[1], &v[2], &v[3]};
-    fgl_texture_store_color(to, x, y, z, 1, planes, false);
+    fgl_texture_store_color(to, x, y, z, 1, planes, ROUND_DRAWN);
 }
 
 static void reduce(const struct texture_image *from, struct texture_image *to)
