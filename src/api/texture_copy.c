@@ -3,6 +3,7 @@
 #include "api/command.h"
 #include "api/errors.h"
 #include "api/texture_image.h"
+#include "base/unorm.h"
 #include "framebuffer/pixel_pack.h"
 #include "framebuffer/pixel_unpack.h"
 
@@ -31,12 +32,21 @@ static void copy_depths(struct context *ctx, struct texture_image *image, int x,
             .maps = ctx->pixel_map,
     };
     fgl_pack_row(&pack, ctx->framebuffer, x, y, n, 0, 0);
-    for (int i = 0; i < n; i++)
-        depth[i] >>= 32 - image->format->bits[0];
+    const int have = ctx->framebuffer->depth_bits, bits = image->format->bits[0];
+    const float max = (float)fgl_unorm_max(bits);
+    for (int i = 0; i < n; i++) { /* OSMesa rule: through a float, as if drawn */
+        const float f = fgl_clamp01(fgl_unorm_to_float(depth[i] >> (32 - have), have));
+        depth[i] = bits == 24 ? (uint32_t)(f * max) : (uint32_t)((double)f * (double)fgl_unorm_max(bits) + 0.5);
+    }
     fgl_texture_store_depth(image, to_x, to_y, to_z, n, depth);
 }
 
-/* The same with colours. */
+static bool is_ten_bits(const struct texture_format *format)
+{
+    return format->bits[0] == 10;
+}
+
+/* The same with colours. OSMesa rule: bytes become 10 bits by repeating theirs. */
 static void copy_colors(struct context *ctx, struct texture_image *image, int x, int y, int n, int to_x, int to_y, int to_z)
 {
     float pixel[4 * PIXEL_CHUNK] = {0}, plane[4][PIXEL_CHUNK];
@@ -50,7 +60,8 @@ static void copy_colors(struct context *ctx, struct texture_image *image, int x,
     for (int i = 0; i < n; i++)
         for (int c = 0; c < 4; c++)
             plane[c][i] = pixel[4 * i + c];
-    fgl_texture_store_color(image, to_x, to_y, to_z, n, planes, ROUND_DRAWN);
+    fgl_texture_store_color(image, to_x, to_y, to_z, n, planes,
+                            is_ten_bits(image->format) ? ROUND_THROUGH_BYTES : ROUND_DRAWN);
 }
 
 /* What lies outside of the framebuffer is undefined: its texels stay as they are. */

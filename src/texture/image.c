@@ -92,12 +92,21 @@ static void store_channel(struct texture_image *image, size_t first, int c, int 
     }
 }
 
-/* [0,1] to an integer of so many bits, as what is given asks for. */
-static uint32_t to_bits(float v, int bits, enum texel_rounding rounding)
+/* As what is drawn: formats of 5 bits are cut from bytes, those of 3 are cut. */
+static uint32_t round_drawn(const struct texture_format *format, float v, int bits)
+{
+    switch (format->bits[0]) {
+    case 3: return (uint32_t)(fgl_clamp01(v) * (float)fgl_unorm_max(bits));
+    case 5: return quantise(v, 8) >> (8 - bits);
+    default: return half_to_even(v, bits);
+    }
+}
+
+static uint32_t to_bits(const struct texture_format *format, float v, int bits, enum texel_rounding rounding)
 {
     switch (rounding) {
     case ROUND_THROUGH_BYTES: return fgl_unorm_resize(quantise(v, 8), 8, bits);
-    case ROUND_DRAWN: return bits == 5 || bits == 6 || bits == 1 ? quantise(v, 8) >> (8 - bits) : half_to_even(v, bits);
+    case ROUND_DRAWN: return round_drawn(format, v, bits);
     default: return quantise(v, bits);
     }
 }
@@ -113,7 +122,7 @@ void fgl_texture_store_color(struct texture_image *image, int x, int y, int z, i
     for (int c = 0; c < 4; c++) {
         const int s = source[c], bits = s < ZERO ? image->format->bits[s] : 8;
         for (int i = 0; i < n; i++)
-            v[i] = s == ZERO ? 0 : s == ONE ? 255 : to_bits(color[s][i], bits, rounding);
+            v[i] = s == ZERO ? 0 : s == ONE ? 255 : to_bits(image->format, color[s][i], bits, rounding);
         store_channel(image, first, c, n, bits, v);
     }
 }
