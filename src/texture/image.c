@@ -92,11 +92,11 @@ static void store_channel(struct texture_image *image, size_t first, int c, int 
     }
 }
 
-/* As what is drawn: formats of 5 bits are cut from bytes, those of 3 are cut. */
+/* As what is drawn: formats of 5 bits are cut from bytes. Those of 3 bits are nearly so: OSMesa differs in a few of 100. */
 static uint32_t round_drawn(const struct texture_format *format, float v, int bits)
 {
     switch (format->bits[0]) {
-    case 3: return (uint32_t)(fgl_clamp01(v) * (float)fgl_unorm_max(bits));
+    case 3: return (quantise(v, 8) * fgl_unorm_max(bits) + 128) >> 8;
     case 5: return quantise(v, 8) >> (8 - bits);
     default: return half_to_even(v, bits);
     }

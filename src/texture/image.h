@@ -29,7 +29,7 @@ static inline size_t fgl_texel_index(const struct texture_image *image, int x, i
 enum texel_rounding {
     ROUND_GIVEN,         /* as pixels of programs: half up, but half to even for bytes */
     ROUND_THROUGH_BYTES, /* to bytes, which then get more or fewer bits */
-    ROUND_DRAWN          /* as what is drawn: half to even; but 3 bits are cut, and 5 (also the 6 or 1 beside them) from bytes */
+    ROUND_DRAWN          /* as what is drawn: half to even; but 5 bits, and the 6 or 1 beside them, are cut from bytes */
 };
 
 /* Stores n texels from (x, y, z) on. n <= TEXTURE_RUN. color: four planes, red to alpha. */
