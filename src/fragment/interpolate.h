@@ -85,14 +85,18 @@ static inline void fog_factor(const struct fragments *f, const struct fragment_p
     FOR_GROUP(i) factor[i] = r_saturate(factor[i]);
 }
 
+/* One channel. A function of its own: GCC unrolls loops inside of another loop before it can make vectors of them. */
+static FGL_NOINLINE void mix_fog(real *FGL_RESTRICT color, const real *FGL_RESTRICT factor, real fog)
+{
+    FOR_GROUP(i) color[i] = fog * (1 - factor[i]) + color[i] * factor[i];
+}
+
 static inline void apply_fog(struct fragments *f, const struct fragment_plan *plan, const struct planes *p)
 {
     real factor[FRAGMENT_GROUP];
     fog_factor(f, plan, p, factor);
-    for (int c = 0; c < 3; c++) {
-        const real fog = (real)plan->fog_color[c];
-        FOR_GROUP(i) f->color[c][i] = fog * (1 - factor[i]) + f->color[c][i] * factor[i];
-    }
+    for (int c = 0; c < 3; c++)
+        mix_fog(f->color[c], factor, (real)plan->fog_color[c]);
 }
 
 /* Antialiased lines and points: alpha times coverage (GL 1.5, 3.3.2, 3.4.3). OSMesa rules: a line's coverage
