@@ -507,6 +507,31 @@ typedef void (APIENTRYP PFNGLWINDOWPOS3SVMESAPROC)(const GLshort *v);
 #define GL_UNSIGNED_INT_10_10_10_2_EXT             0x8036
 #endif
 
+/* Lighting per fragment: glShadeModel(GL_PHONG_WIN) interpolates normals and eye coordinates instead of colors and
+ * evaluates the lighting equation of 2.14.1 at every fragment, with the normal scaled to unit length there. Without
+ * GL_LIGHTING, in color index mode, and for what feedback and the raster position take, it is GL_SMOOTH.
+ * GL_PHONG_HINT_WIN is a target of glHint; it is kept and has no effect. */
+#ifndef GL_WIN_phong_shading
+#define GL_WIN_phong_shading 1
+#define GL_PHONG_WIN                               0x80EA
+#define GL_PHONG_HINT_WIN                          0x80EB
+#endif
+
+/* Phong's own highlight: with glLightModeli(GL_LIGHT_MODEL_SPECULAR_VECTOR_APPLE, GL_TRUE) n.h in the lighting equation
+ * is replaced by r.p, the unit vector to the light reflected at the normal, r = 2(n.l)n - l, times that to the viewer
+ * ((0, 0, 1) without GL_LIGHT_MODEL_LOCAL_VIEWER). Initially GL_FALSE. */
+#ifndef GL_APPLE_specular_vector
+#define GL_APPLE_specular_vector 1
+#define GL_LIGHT_MODEL_SPECULAR_VECTOR_APPLE       0x85B0
+#endif
+
+/* The largest GL_SHININESS of glMaterial and GL_SPOT_EXPONENT of glLight: limits for glGet. */
+#ifndef GL_NV_light_max_exponent
+#define GL_NV_light_max_exponent 1
+#define GL_MAX_SHININESS_NV                        0x8504
+#define GL_MAX_SPOT_EXPONENT_NV                    0x8505
+#endif
+
 /* Normals rescaled by a uniform modelview scale, as in OpenGL 1.2. */
 #ifndef GL_EXT_rescale_normal
 #define GL_EXT_rescale_normal 1

@@ -140,6 +140,6 @@ void GLAPIENTRY glLightModeli(GLenum pname, GLint param)
 
 void fgl_exec_ShadeModel(struct context *ctx, GLenum mode)
 {
-    RETURN_ERROR_IF(ctx, mode != GL_FLAT && mode != GL_SMOOTH, GL_INVALID_ENUM);
+    RETURN_ERROR_IF(ctx, mode != GL_FLAT && mode != GL_SMOOTH && mode != GL_PHONG_WIN, GL_INVALID_ENUM);
     SET(ctx, DIRTY_LIGHT, ctx->s.lighting.shade_model, mode);
 }

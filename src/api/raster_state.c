@@ -97,6 +97,7 @@ static GLenum *find_hint(struct hint_state *h, GLenum target)
     case GL_FOG_HINT: return &h->fog_hint;
     case GL_GENERATE_MIPMAP_HINT: return &h->generate_mipmap_hint;
     case GL_TEXTURE_COMPRESSION_HINT: return &h->texture_compression_hint;
+    case GL_PHONG_HINT_WIN: return &h->phong_hint;
     default: return NULL;
     }
 }

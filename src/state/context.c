@@ -123,7 +123,7 @@ static void init_hints(struct hint_state *h)
 {
     h->perspective_correction_hint = h->point_smooth_hint = h->line_smooth_hint = GL_DONT_CARE;
     h->polygon_smooth_hint = h->fog_hint = GL_DONT_CARE;
-    h->generate_mipmap_hint = h->texture_compression_hint = GL_DONT_CARE;
+    h->generate_mipmap_hint = h->texture_compression_hint = h->phong_hint = GL_DONT_CARE;
 }
 
 static void init_pixel_mode(struct pixel_mode_state *p)

@@ -49,7 +49,7 @@ struct lighting_state {
     GLenum shade_model, color_material_face, color_material_parameter;
     GLenum light_model_color_control;
     float light_model_ambient[4];
-    bool light_model_local_viewer, light_model_two_side;
+    bool light_model_local_viewer, light_model_two_side, light_model_specular_vector;
     float material[MAT_COUNT][2][4]; /* [parameter][0 front, 1 back]; shininess in component 0, colour indexes in 0..2 */
     struct light light[FGL_MAX_LIGHTS];
 };
@@ -140,7 +140,7 @@ struct accum_state {
 
 struct hint_state {
     GLenum perspective_correction_hint, point_smooth_hint, line_smooth_hint, polygon_smooth_hint, fog_hint;
-    GLenum generate_mipmap_hint, texture_compression_hint;
+    GLenum generate_mipmap_hint, texture_compression_hint, phong_hint;
 };
 
 struct list_state {

@@ -184,6 +184,7 @@ static unsigned light_key(const struct light_derived *out, const struct light *l
         key |= LIGHT_VARYING;
     if (contributes(out, plan, COLOR_SPECULAR)) {
         key |= LIGHT_SPECULAR | (plan->separate_specular ? LIGHT_SEPARATE : 0);
+        key |= plan->specular_vector ? LIGHT_REFLECTION : 0;
         key |= plan->shininess_all_zero ? LIGHT_ZERO_SHININESS : plan->local_viewer ? LIGHT_LOCAL_VIEWER : 0;
     }
     return key;
@@ -288,6 +289,7 @@ void fgl_light_validate(struct vertex_plan *plan, struct context *ctx)
     light->two_sided = state->light_model_two_side;
     light->local_viewer = state->light_model_local_viewer;
     light->separate_specular = state->light_model_color_control == GL_SEPARATE_SPECULAR_COLOR;
+    light->specular_vector = state->light_model_specular_vector;
     light->object_space = in_object_space(&ctx->s, modelview_class);
     memcpy(light->model_ambient, state->light_model_ambient, sizeof light->model_ambient);
     for (int c = 0; c < 3; c++)

@@ -2,6 +2,7 @@
  *
  *   c = e_cm + a_cm * a_cs + sum over the lights of att * spot * (a + (n . VP) d + f (n . h)^s_rm s)
  *
+ * With GL_APPLE_specular_vector r . V takes the place of n . h: r is VP reflected at n, V points to the viewer.
  * a, d, s: products of the light's colours and the material's. f is 1 where n . VP > 0, else 0; dots are not
  * negative. Colours are sums here; clamping is 2.14.6 "Clamping or Masking". The order of operations inside
  * is OSMesa's: docs/lighting.md. */
@@ -97,6 +98,12 @@ static FGL_ALWAYS_INLINE struct real3 half_vector(struct real3 a, struct real3 b
     return r_normalize3(sum);
 }
 
+/* GL_APPLE_specular_vector: the direction in which light from the unit vector VP leaves a surface. */
+static FGL_ALWAYS_INLINE struct real3 reflection_vector(struct real3 normal, struct real3 VP)
+{
+    return r_sub3(r_scale3(normal, 2 * r_dot3(normal, VP)), VP);
+}
+
 /* Notes a term of vertex 0 where terms are asked for. In kernels that draw, `terms` is the constant NULL and
  * this is nothing. */
 #define NOTE(field, value)                                                                                   \
@@ -122,6 +129,7 @@ static FGL_ALWAYS_INLINE void add_light(const light_numbers *FGL_RESTRICT L,
     const bool positional = key & LIGHT_POSITIONAL, attenuated = key & LIGHT_ATTENUATED,
                spotted = key & LIGHT_SPOT;
     const bool specular = key & LIGHT_SPECULAR, local_viewer = key & LIGHT_LOCAL_VIEWER;
+    const bool reflection = key & LIGHT_REFLECTION;
     const bool separate = key & LIGHT_SEPARATE, varying = key & LIGHT_VARYING,
                zero = key & LIGHT_ZERO_SHININESS;
     const struct real3 position = vec3_of(L->position), direction = vec3_of(L->direction);
@@ -167,12 +175,15 @@ static FGL_ALWAYS_INLINE void add_light(const light_numbers *FGL_RESTRICT L,
         NOTE(n_dot_VP, n_dot_VP);
 
         if (specular) {
+            const struct real3 to_viewer = local_viewer ? r_scale3(load3(work->view, i), -1) : toward_eye;
             struct real3 h = vec3_of(L->half);
-            if (local_viewer)
-                h = half_vector(VP, r_scale3(load3(work->view, i), -1), &extreme);
+            if (reflection)
+                h = reflection_vector(normal, VP);
+            else if (local_viewer)
+                h = half_vector(VP, to_viewer, &extreme);
             else if (positional)
                 h = half_vector(VP, toward_eye, &extreme);
-            real n_dot_h = side * r_dot3(normal, h);
+            real n_dot_h = reflection ? r_dot3(h, to_viewer) : side * r_dot3(normal, h);
             real shininess = varying ? work->shininess[i] : (real)plan->shininess[face];
             f_spec = zero ? 1 : r_pow(n_dot_h, shininess);
             f_spec = r_select(n_dot_VP > 0, f_spec, 0);

@@ -25,7 +25,8 @@ enum light_key {
     LIGHT_SEPARATE = 1 << 5, /* specular goes to the secondary colour */
     LIGHT_ZERO_SHININESS = 1 << 6, /* of every face: OSMesa takes another path then */
     LIGHT_VARYING = 1 << 7,        /* the material differs by vertex */
-    LIGHT_KEY_COUNT = 1 << 8
+    LIGHT_REFLECTION = 1 << 8,     /* only with LIGHT_SPECULAR: the highlight is where the reflection vector meets the viewer */
+    LIGHT_KEY_COUNT = 1 << 9
 };
 
 enum { COLOR_AMBIENT, COLOR_DIFFUSE, COLOR_SPECULAR, COLOR_COUNT }; /* in the order of MAT_AMBIENT.. */
@@ -49,6 +50,7 @@ struct lighting_plan {
     int n;
     struct light_derived light[FGL_MAX_LIGHTS]; /* those that can add anything, in index order */
     bool two_sided, local_viewer, separate_specular, object_space;
+    bool specular_vector;     /* GL_APPLE_specular_vector */
     bool shininess_all_zero;  /* OSMesa takes another specular path then */
     bool varying;             /* some material parameter differs by vertex */
     int source[MAT_COUNT][2]; /* [parameter][face]: the attribute of the batch that gives it, or -1: the
@@ -170,7 +172,8 @@ void fgl_vertex_round(const struct vertex_plan *plan, struct vertex_batch *batch
 struct light_terms {
     double VP[3], distance, attenuation, spot_cosine, spot; /* distance: positional lights */
     double n_dot_VP;
-    double half[3], n_dot_h, shininess, highlight; /* highlight: f (n . h)^shininess */
+    double half[3], n_dot_h, shininess, highlight; /* highlight: f (n . h)^shininess. With LIGHT_REFLECTION half is
+                                                      the reflection vector and n_dot_h its dot with the viewer's */
     double ambient[3], diffuse[3], specular[3];    /* what the light adds, attenuated */
 };
 
