@@ -6,6 +6,9 @@
 
 static void set_colors_and_lights(void)
 {
+    glSecondaryColor3f(0.25f, 0.5f, 0.75f);
+    glFogCoordf(3);
+    glFogi(GL_FOG_COORD_SRC, GL_FOG_COORD);
     const GLfloat v[4] = {0.25f, 0.5f, 0.75f, 0.5f};
     glColor4fv(v);
     glIndexf(5);
@@ -29,6 +32,11 @@ static void set_colors_and_lights(void)
 static void set_rasterization(void)
 {
     glPointSize(3);
+    glPointParameterf(GL_POINT_SIZE_MIN, 2);
+    glPointParameterf(GL_POINT_SIZE_MAX, 20);
+    glPointParameterf(GL_POINT_FADE_THRESHOLD_SIZE, 4);
+    glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, (const GLfloat[]){0.5f, 0.25f, 2});
+    glSampleCoverage(0.5f, GL_TRUE);
     glLineWidth(2);
     glLineStipple(7, 0x1234);
     glCullFace(GL_FRONT);
@@ -55,7 +63,9 @@ static void set_fragments(void)
     glStencilMask(0x3c);
     glDepthFunc(GL_GEQUAL);
     glDepthMask(GL_FALSE);
-    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_DST_ALPHA, GL_ONE);
+    glBlendEquationSeparateEXT(GL_MAX, GL_MIN);
+    glBlendColor(0.25f, 0.5f, 0.75f, 1);
     glLogicOp(GL_XOR);
     glDrawBuffer(GL_NONE);
     glReadBuffer(GL_FRONT_LEFT);
