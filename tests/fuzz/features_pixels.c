@@ -83,12 +83,11 @@ void feature_raster_pos(struct generator *g)
 {
     double v[4];
     random_position(g, v);
-    const double w = g->enabled[FEATURE_lighting] ? 1.0 : real(g, 0.5, 2.0);
+    const double w = real(g, 0.5, 2.0);
     if (chance(g, 30))
         emit_color(g);
-    /* OSMesa lights it with no highlight where shininess is 0 and the half vector points away. */
-    const bool lit_plainly = g->enabled[FEATURE_lighting] && g->plain_lights;
-    switch (lit_plainly ? integer(g, 3, 4) : below(g, 5)) {
+    /* Not lit: OSMesa measures from the object coordinates to the light, and without shininess may lose the highlight. */
+    switch (g->enabled[FEATURE_lighting] ? integer(g, 3, 4) : below(g, 5)) {
     case 0: EMIT(g, RasterPos2f, v[0], v[1]); break;
     case 1: EMIT(g, RasterPos3f, v[0], v[1], v[2]); break;
     case 2: EMIT(g, RasterPos4f, (double)(float)(v[0] * w), (double)(float)(v[1] * w), (double)(float)(v[2] * w), w); break;
