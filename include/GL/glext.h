@@ -1161,6 +1161,374 @@ typedef void (APIENTRYP PFNGLGETFRAMEBUFFERATTACHMENTPARAMETERIVEXTPROC)(GLenum 
 typedef void (APIENTRYP PFNGLGENERATEMIPMAPEXTPROC)(GLenum target);
 #endif
 
+/* Depth images, as in OpenGL 1.4. */
+#ifndef GL_ARB_depth_texture
+#define GL_ARB_depth_texture 1
+#define GL_DEPTH_COMPONENT16_ARB                   0x81A5
+#define GL_DEPTH_COMPONENT24_ARB                   0x81A6
+#define GL_DEPTH_COMPONENT32_ARB                   0x81A7
+#define GL_TEXTURE_DEPTH_SIZE_ARB                  0x884A
+#define GL_DEPTH_TEXTURE_MODE_ARB                  0x884B
+#endif
+
+/* Depth textures compared with r, as in OpenGL 1.4. */
+#ifndef GL_ARB_shadow
+#define GL_ARB_shadow 1
+#define GL_TEXTURE_COMPARE_MODE_ARB                0x884C
+#define GL_TEXTURE_COMPARE_FUNC_ARB                0x884D
+#define GL_COMPARE_R_TO_TEXTURE_ARB                0x884E
+#endif
+
+/* Coordinates clamped to the border, as in OpenGL 1.3. */
+#ifndef GL_ARB_texture_border_clamp
+#define GL_ARB_texture_border_clamp 1
+#define GL_CLAMP_TO_BORDER_ARB                     0x812D
+#endif
+
+/* Compressed images, as in OpenGL 1.3: no specific format. */
+#ifndef GL_ARB_texture_compression
+#define GL_ARB_texture_compression 1
+#define GL_COMPRESSED_ALPHA_ARB                    0x84E9
+#define GL_COMPRESSED_LUMINANCE_ARB                0x84EA
+#define GL_COMPRESSED_LUMINANCE_ALPHA_ARB          0x84EB
+#define GL_COMPRESSED_INTENSITY_ARB                0x84EC
+#define GL_COMPRESSED_RGB_ARB                      0x84ED
+#define GL_COMPRESSED_RGBA_ARB                     0x84EE
+#define GL_TEXTURE_COMPRESSION_HINT_ARB            0x84EF
+#define GL_TEXTURE_COMPRESSED_IMAGE_SIZE_ARB       0x86A0
+#define GL_TEXTURE_COMPRESSED_ARB                  0x86A1
+#define GL_NUM_COMPRESSED_TEXTURE_FORMATS_ARB      0x86A2
+#define GL_COMPRESSED_TEXTURE_FORMATS_ARB          0x86A3
+#ifdef GL_GLEXT_PROTOTYPES
+GLAPI void GLAPIENTRY glCompressedTexImage3DARB(GLenum target, GLint level, GLenum internalformat,
+        GLsizei width, GLsizei height, GLsizei depth, GLint border, GLsizei imageSize, const GLvoid *data);
+GLAPI void GLAPIENTRY glCompressedTexImage2DARB(GLenum target, GLint level, GLenum internalformat,
+        GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const GLvoid *data);
+GLAPI void GLAPIENTRY glCompressedTexImage1DARB(GLenum target, GLint level, GLenum internalformat,
+        GLsizei width, GLint border, GLsizei imageSize, const GLvoid *data);
+GLAPI void GLAPIENTRY glCompressedTexSubImage3DARB(GLenum target, GLint level, GLint xoffset, GLint yoffset,
+        GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLsizei imageSize,
+        const GLvoid *data);
+GLAPI void GLAPIENTRY glCompressedTexSubImage2DARB(GLenum target, GLint level, GLint xoffset, GLint yoffset,
+        GLsizei width, GLsizei height, GLenum format, GLsizei imageSize, const GLvoid *data);
+GLAPI void GLAPIENTRY glCompressedTexSubImage1DARB(GLenum target, GLint level, GLint xoffset, GLsizei width,
+        GLenum format, GLsizei imageSize, const GLvoid *data);
+GLAPI void GLAPIENTRY glGetCompressedTexImageARB(GLenum target, GLint level, void *img);
+#endif
+typedef void (APIENTRYP PFNGLCOMPRESSEDTEXIMAGE3DARBPROC)(GLenum target, GLint level, GLenum internalformat,
+        GLsizei width, GLsizei height, GLsizei depth, GLint border, GLsizei imageSize, const GLvoid *data);
+typedef void (APIENTRYP PFNGLCOMPRESSEDTEXIMAGE2DARBPROC)(GLenum target, GLint level, GLenum internalformat,
+        GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const GLvoid *data);
+typedef void (APIENTRYP PFNGLCOMPRESSEDTEXIMAGE1DARBPROC)(GLenum target, GLint level, GLenum internalformat,
+        GLsizei width, GLint border, GLsizei imageSize, const GLvoid *data);
+typedef void (APIENTRYP PFNGLCOMPRESSEDTEXSUBIMAGE3DARBPROC)(GLenum target, GLint level, GLint xoffset,
+        GLint yoffset, GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format,
+        GLsizei imageSize, const GLvoid *data);
+typedef void (APIENTRYP PFNGLCOMPRESSEDTEXSUBIMAGE2DARBPROC)(GLenum target, GLint level, GLint xoffset,
+        GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLsizei imageSize, const GLvoid *data);
+typedef void (APIENTRYP PFNGLCOMPRESSEDTEXSUBIMAGE1DARBPROC)(GLenum target, GLint level, GLint xoffset,
+        GLsizei width, GLenum format, GLsizei imageSize, const GLvoid *data);
+typedef void (APIENTRYP PFNGLGETCOMPRESSEDTEXIMAGEARBPROC)(GLenum target, GLint level, void *img);
+#endif
+
+/* Cube maps, as in OpenGL 1.3. */
+#ifndef GL_ARB_texture_cube_map
+#define GL_ARB_texture_cube_map 1
+#define GL_NORMAL_MAP_ARB                          0x8511
+#define GL_REFLECTION_MAP_ARB                      0x8512
+#define GL_TEXTURE_CUBE_MAP_ARB                    0x8513
+#define GL_TEXTURE_BINDING_CUBE_MAP_ARB            0x8514
+#define GL_TEXTURE_CUBE_MAP_POSITIVE_X_ARB         0x8515
+#define GL_TEXTURE_CUBE_MAP_NEGATIVE_X_ARB         0x8516
+#define GL_TEXTURE_CUBE_MAP_POSITIVE_Y_ARB         0x8517
+#define GL_TEXTURE_CUBE_MAP_NEGATIVE_Y_ARB         0x8518
+#define GL_TEXTURE_CUBE_MAP_POSITIVE_Z_ARB         0x8519
+#define GL_TEXTURE_CUBE_MAP_NEGATIVE_Z_ARB         0x851A
+#define GL_PROXY_TEXTURE_CUBE_MAP_ARB              0x851B
+#define GL_MAX_CUBE_MAP_TEXTURE_SIZE_ARB           0x851C
+#endif
+
+/* GL_ADD as an environment, as in OpenGL 1.3. */
+#ifndef GL_ARB_texture_env_add
+#define GL_ARB_texture_env_add 1
+#endif
+
+/* The environment GL_COMBINE, as in OpenGL 1.3. */
+#ifndef GL_ARB_texture_env_combine
+#define GL_ARB_texture_env_combine 1
+#define GL_COMBINE_ARB                             0x8570
+#define GL_COMBINE_RGB_ARB                         0x8571
+#define GL_COMBINE_ALPHA_ARB                       0x8572
+#define GL_SOURCE0_RGB_ARB                         0x8580
+#define GL_SOURCE1_RGB_ARB                         0x8581
+#define GL_SOURCE2_RGB_ARB                         0x8582
+#define GL_SOURCE0_ALPHA_ARB                       0x8588
+#define GL_SOURCE1_ALPHA_ARB                       0x8589
+#define GL_SOURCE2_ALPHA_ARB                       0x858A
+#define GL_OPERAND0_RGB_ARB                        0x8590
+#define GL_OPERAND1_RGB_ARB                        0x8591
+#define GL_OPERAND2_RGB_ARB                        0x8592
+#define GL_OPERAND0_ALPHA_ARB                      0x8598
+#define GL_OPERAND1_ALPHA_ARB                      0x8599
+#define GL_OPERAND2_ALPHA_ARB                      0x859A
+#define GL_RGB_SCALE_ARB                           0x8573
+#define GL_ADD_SIGNED_ARB                          0x8574
+#define GL_INTERPOLATE_ARB                         0x8575
+#define GL_SUBTRACT_ARB                            0x84E7
+#define GL_CONSTANT_ARB                            0x8576
+#define GL_PRIMARY_COLOR_ARB                       0x8577
+#define GL_PREVIOUS_ARB                            0x8578
+#endif
+
+/* Other units as sources of GL_COMBINE, as in OpenGL 1.4. */
+#ifndef GL_ARB_texture_env_crossbar
+#define GL_ARB_texture_env_crossbar 1
+#endif
+
+/* Dot products in GL_COMBINE, as in OpenGL 1.3. */
+#ifndef GL_ARB_texture_env_dot3
+#define GL_ARB_texture_env_dot3 1
+#define GL_DOT3_RGB_ARB                            0x86AE
+#define GL_DOT3_RGBA_ARB                           0x86AF
+#endif
+
+/* Mirrored images, as in OpenGL 1.4. */
+#ifndef GL_ARB_texture_mirrored_repeat
+#define GL_ARB_texture_mirrored_repeat 1
+#define GL_MIRRORED_REPEAT_ARB                     0x8370
+#endif
+
+/* Images of any size. */
+#ifndef GL_ARB_texture_non_power_of_two
+#define GL_ARB_texture_non_power_of_two 1
+#endif
+
+/* Images from the framebuffer, as in OpenGL 1.1. */
+#ifndef GL_EXT_copy_texture
+#define GL_EXT_copy_texture 1
+#ifdef GL_GLEXT_PROTOTYPES
+GLAPI void GLAPIENTRY glCopyTexImage1DEXT(GLenum target, GLint level, GLenum internalformat, GLint x,
+        GLint y, GLsizei width, GLint border);
+GLAPI void GLAPIENTRY glCopyTexImage2DEXT(GLenum target, GLint level, GLenum internalformat, GLint x,
+        GLint y, GLsizei width, GLsizei height, GLint border);
+GLAPI void GLAPIENTRY glCopyTexSubImage1DEXT(GLenum target, GLint level, GLint xoffset, GLint x, GLint y,
+        GLsizei width);
+GLAPI void GLAPIENTRY glCopyTexSubImage2DEXT(GLenum target, GLint level, GLint xoffset, GLint yoffset,
+        GLint x, GLint y, GLsizei width, GLsizei height);
+GLAPI void GLAPIENTRY glCopyTexSubImage3DEXT(GLenum target, GLint level, GLint xoffset, GLint yoffset,
+        GLint zoffset, GLint x, GLint y, GLsizei width, GLsizei height);
+#endif
+typedef void (APIENTRYP PFNGLCOPYTEXIMAGE1DEXTPROC)(GLenum target, GLint level, GLenum internalformat,
+        GLint x, GLint y, GLsizei width, GLint border);
+typedef void (APIENTRYP PFNGLCOPYTEXIMAGE2DEXTPROC)(GLenum target, GLint level, GLenum internalformat,
+        GLint x, GLint y, GLsizei width, GLsizei height, GLint border);
+typedef void (APIENTRYP PFNGLCOPYTEXSUBIMAGE1DEXTPROC)(GLenum target, GLint level, GLint xoffset, GLint x,
+        GLint y, GLsizei width);
+typedef void (APIENTRYP PFNGLCOPYTEXSUBIMAGE2DEXTPROC)(GLenum target, GLint level, GLint xoffset,
+        GLint yoffset, GLint x, GLint y, GLsizei width, GLsizei height);
+typedef void (APIENTRYP PFNGLCOPYTEXSUBIMAGE3DEXTPROC)(GLenum target, GLint level, GLint xoffset,
+        GLint yoffset, GLint zoffset, GLint x, GLint y, GLsizei width, GLsizei height);
+#endif
+
+/* All comparisons of depth textures, as in OpenGL 1.5. */
+#ifndef GL_EXT_shadow_funcs
+#define GL_EXT_shadow_funcs 1
+#endif
+
+/* Parts of images, as in OpenGL 1.1. */
+#ifndef GL_EXT_subtexture
+#define GL_EXT_subtexture 1
+#ifdef GL_GLEXT_PROTOTYPES
+GLAPI void GLAPIENTRY glTexSubImage1DEXT(GLenum target, GLint level, GLint xoffset, GLsizei width,
+        GLenum format, GLenum type, const GLvoid *pixels);
+GLAPI void GLAPIENTRY glTexSubImage2DEXT(GLenum target, GLint level, GLint xoffset, GLint yoffset,
+        GLsizei width, GLsizei height, GLenum format, GLenum type, const GLvoid *pixels);
+#endif
+typedef void (APIENTRYP PFNGLTEXSUBIMAGE1DEXTPROC)(GLenum target, GLint level, GLint xoffset, GLsizei width,
+        GLenum format, GLenum type, const GLvoid *pixels);
+typedef void (APIENTRYP PFNGLTEXSUBIMAGE2DEXTPROC)(GLenum target, GLint level, GLint xoffset, GLint yoffset,
+        GLsizei width, GLsizei height, GLenum format, GLenum type, const GLvoid *pixels);
+#endif
+
+/* Sized internal formats and proxies, as in OpenGL 1.1. */
+#ifndef GL_EXT_texture
+#define GL_EXT_texture 1
+#define GL_ALPHA4_EXT                              0x803B
+#define GL_ALPHA8_EXT                              0x803C
+#define GL_ALPHA12_EXT                             0x803D
+#define GL_ALPHA16_EXT                             0x803E
+#define GL_LUMINANCE4_EXT                          0x803F
+#define GL_LUMINANCE8_EXT                          0x8040
+#define GL_LUMINANCE12_EXT                         0x8041
+#define GL_LUMINANCE16_EXT                         0x8042
+#define GL_LUMINANCE4_ALPHA4_EXT                   0x8043
+#define GL_LUMINANCE6_ALPHA2_EXT                   0x8044
+#define GL_LUMINANCE8_ALPHA8_EXT                   0x8045
+#define GL_LUMINANCE12_ALPHA4_EXT                  0x8046
+#define GL_LUMINANCE12_ALPHA12_EXT                 0x8047
+#define GL_LUMINANCE16_ALPHA16_EXT                 0x8048
+#define GL_INTENSITY_EXT                           0x8049
+#define GL_INTENSITY4_EXT                          0x804A
+#define GL_INTENSITY8_EXT                          0x804B
+#define GL_INTENSITY12_EXT                         0x804C
+#define GL_INTENSITY16_EXT                         0x804D
+#define GL_RGB2_EXT                                0x804E
+#define GL_RGB4_EXT                                0x804F
+#define GL_RGB5_EXT                                0x8050
+#define GL_RGB8_EXT                                0x8051
+#define GL_RGB10_EXT                               0x8052
+#define GL_RGB12_EXT                               0x8053
+#define GL_RGB16_EXT                               0x8054
+#define GL_RGBA2_EXT                               0x8055
+#define GL_RGBA4_EXT                               0x8056
+#define GL_RGB5_A1_EXT                             0x8057
+#define GL_RGBA8_EXT                               0x8058
+#define GL_RGB10_A2_EXT                            0x8059
+#define GL_RGBA12_EXT                              0x805A
+#define GL_RGBA16_EXT                              0x805B
+#define GL_TEXTURE_RED_SIZE_EXT                    0x805C
+#define GL_TEXTURE_GREEN_SIZE_EXT                  0x805D
+#define GL_TEXTURE_BLUE_SIZE_EXT                   0x805E
+#define GL_TEXTURE_ALPHA_SIZE_EXT                  0x805F
+#define GL_TEXTURE_LUMINANCE_SIZE_EXT              0x8060
+#define GL_TEXTURE_INTENSITY_SIZE_EXT              0x8061
+#define GL_REPLACE_EXT                             0x8062
+#define GL_PROXY_TEXTURE_1D_EXT                    0x8063
+#define GL_PROXY_TEXTURE_2D_EXT                    0x8064
+#define GL_TEXTURE_TOO_LARGE_EXT                   0x8065
+#endif
+
+/* Three-dimensional images, as in OpenGL 1.2. */
+#ifndef GL_EXT_texture3D
+#define GL_EXT_texture3D 1
+#define GL_PACK_SKIP_IMAGES_EXT                    0x806B
+#define GL_PACK_IMAGE_HEIGHT_EXT                   0x806C
+#define GL_UNPACK_SKIP_IMAGES_EXT                  0x806D
+#define GL_UNPACK_IMAGE_HEIGHT_EXT                 0x806E
+#define GL_TEXTURE_3D_EXT                          0x806F
+#define GL_PROXY_TEXTURE_3D_EXT                    0x8070
+#define GL_TEXTURE_DEPTH_EXT                       0x8071
+#define GL_TEXTURE_WRAP_R_EXT                      0x8072
+#define GL_MAX_3D_TEXTURE_SIZE_EXT                 0x8073
+#ifdef GL_GLEXT_PROTOTYPES
+GLAPI void GLAPIENTRY glTexImage3DEXT(GLenum target, GLint level, GLenum internalformat, GLsizei width,
+        GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const GLvoid *pixels);
+GLAPI void GLAPIENTRY glTexSubImage3DEXT(GLenum target, GLint level, GLint xoffset, GLint yoffset,
+        GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type,
+        const GLvoid *pixels);
+#endif
+typedef void (APIENTRYP PFNGLTEXIMAGE3DEXTPROC)(GLenum target, GLint level, GLenum internalformat,
+        GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type,
+        const GLvoid *pixels);
+typedef void (APIENTRYP PFNGLTEXSUBIMAGE3DEXTPROC)(GLenum target, GLint level, GLint xoffset, GLint yoffset,
+        GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type,
+        const GLvoid *pixels);
+#endif
+
+/* Cube maps, as in OpenGL 1.3. */
+#ifndef GL_EXT_texture_cube_map
+#define GL_EXT_texture_cube_map 1
+#define GL_NORMAL_MAP_EXT                          0x8511
+#define GL_REFLECTION_MAP_EXT                      0x8512
+#define GL_TEXTURE_CUBE_MAP_EXT                    0x8513
+#define GL_TEXTURE_BINDING_CUBE_MAP_EXT            0x8514
+#define GL_TEXTURE_CUBE_MAP_POSITIVE_X_EXT         0x8515
+#define GL_TEXTURE_CUBE_MAP_NEGATIVE_X_EXT         0x8516
+#define GL_TEXTURE_CUBE_MAP_POSITIVE_Y_EXT         0x8517
+#define GL_TEXTURE_CUBE_MAP_NEGATIVE_Y_EXT         0x8518
+#define GL_TEXTURE_CUBE_MAP_POSITIVE_Z_EXT         0x8519
+#define GL_TEXTURE_CUBE_MAP_NEGATIVE_Z_EXT         0x851A
+#define GL_PROXY_TEXTURE_CUBE_MAP_EXT              0x851B
+#define GL_MAX_CUBE_MAP_TEXTURE_SIZE_EXT           0x851C
+#endif
+
+/* GL_ADD as an environment, as in OpenGL 1.3. */
+#ifndef GL_EXT_texture_env_add
+#define GL_EXT_texture_env_add 1
+#endif
+
+/* The environment GL_COMBINE, as in OpenGL 1.3. */
+#ifndef GL_EXT_texture_env_combine
+#define GL_EXT_texture_env_combine 1
+#define GL_COMBINE_EXT                             0x8570
+#define GL_COMBINE_RGB_EXT                         0x8571
+#define GL_COMBINE_ALPHA_EXT                       0x8572
+#define GL_RGB_SCALE_EXT                           0x8573
+#define GL_ADD_SIGNED_EXT                          0x8574
+#define GL_INTERPOLATE_EXT                         0x8575
+#define GL_CONSTANT_EXT                            0x8576
+#define GL_PRIMARY_COLOR_EXT                       0x8577
+#define GL_PREVIOUS_EXT                            0x8578
+#define GL_SOURCE0_RGB_EXT                         0x8580
+#define GL_SOURCE1_RGB_EXT                         0x8581
+#define GL_SOURCE2_RGB_EXT                         0x8582
+#define GL_SOURCE0_ALPHA_EXT                       0x8588
+#define GL_SOURCE1_ALPHA_EXT                       0x8589
+#define GL_SOURCE2_ALPHA_EXT                       0x858A
+#define GL_OPERAND0_RGB_EXT                        0x8590
+#define GL_OPERAND1_RGB_EXT                        0x8591
+#define GL_OPERAND2_RGB_EXT                        0x8592
+#define GL_OPERAND0_ALPHA_EXT                      0x8598
+#define GL_OPERAND1_ALPHA_EXT                      0x8599
+#define GL_OPERAND2_ALPHA_EXT                      0x859A
+#endif
+
+/* Dot products in GL_COMBINE, without scale. */
+#ifndef GL_EXT_texture_env_dot3
+#define GL_EXT_texture_env_dot3 1
+#define GL_DOT3_RGB_EXT                            0x8740
+#define GL_DOT3_RGBA_EXT                           0x8741
+#endif
+
+/* A bias of the level of detail for each unit, as in OpenGL 1.4. */
+#ifndef GL_EXT_texture_lod_bias
+#define GL_EXT_texture_lod_bias 1
+#define GL_MAX_TEXTURE_LOD_BIAS_EXT                0x84FD
+#define GL_TEXTURE_FILTER_CONTROL_EXT              0x8500
+#define GL_TEXTURE_LOD_BIAS_EXT                    0x8501
+#endif
+
+/* Mirrored images, as in OpenGL 1.4. */
+#ifndef GL_IBM_texture_mirrored_repeat
+#define GL_IBM_texture_mirrored_repeat 1
+#define GL_MIRRORED_REPEAT_IBM                     0x8370
+#endif
+
+/* Coordinates from normals and reflections, as in OpenGL 1.3. */
+#ifndef GL_NV_texgen_reflection
+#define GL_NV_texgen_reflection 1
+#define GL_NORMAL_MAP_NV                           0x8511
+#define GL_REFLECTION_MAP_NV                       0x8512
+#endif
+
+/* Mipmaps made by the library, as in OpenGL 1.4. */
+#ifndef GL_SGIS_generate_mipmap
+#define GL_SGIS_generate_mipmap 1
+#define GL_GENERATE_MIPMAP_SGIS                    0x8191
+#define GL_GENERATE_MIPMAP_HINT_SGIS               0x8192
+#endif
+
+/* Coordinates clamped to the border, as in OpenGL 1.3. */
+#ifndef GL_SGIS_texture_border_clamp
+#define GL_SGIS_texture_border_clamp 1
+#define GL_CLAMP_TO_BORDER_SGIS                    0x812D
+#endif
+
+/* Coordinates clamped to the edge, as in OpenGL 1.2. */
+#ifndef GL_SGIS_texture_edge_clamp
+#define GL_SGIS_texture_edge_clamp 1
+#define GL_CLAMP_TO_EDGE_SGIS                      0x812F
+#endif
+
+/* Limits of the level of detail, as in OpenGL 1.2. */
+#ifndef GL_SGIS_texture_lod
+#define GL_SGIS_texture_lod 1
+#define GL_TEXTURE_MIN_LOD_SGIS                    0x813A
+#define GL_TEXTURE_MAX_LOD_SGIS                    0x813B
+#define GL_TEXTURE_BASE_LEVEL_SGIS                 0x813C
+#define GL_TEXTURE_MAX_LEVEL_SGIS                  0x813D
+#endif
+
 #ifdef __cplusplus
 }
 #endif

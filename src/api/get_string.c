@@ -22,7 +22,7 @@ const GLubyte *fgl_exec_GetString(struct context *ctx, GLenum name)
     switch (name) {
     case GL_VENDOR: s = "FixedGL"; break;
     case GL_RENDERER: s = renderers[fgl_cpu_isa()]; break;
-    case GL_VERSION: s = "1.1 FixedGL " FIXEDGL_VERSION ", no textures yet"; break;
+    case GL_VERSION: s = "1.5 FixedGL " FIXEDGL_VERSION; break;
     case GL_EXTENSIONS: s = extensions; break;
     default: fgl_error(ctx, GL_INVALID_ENUM);
     }
