@@ -16,7 +16,7 @@
 
 #include "oracle/measure.h"
 
-enum { SCENES = 8 };
+enum { SCENES = 16 };
 
 static const struct departure {
     const char *name, *category;
