@@ -24,6 +24,13 @@ static bool size_fits(const struct texture_call *call, int levels, int size)
     return size - 2 * call->border <= 1 << (levels - 1 - call->level);
 }
 
+/* OSMesa rule: proxies refuse images of more than 2^30 bytes. */
+static bool is_beyond_memory(const struct texture_call *call)
+{
+    const double texel_bytes = 4, most = 1 << 30;
+    return texel_bytes * call->width * fgl_max(call->height, 1) * fgl_max(call->depth, 1) > most;
+}
+
 GLenum fgl_texture_define_error(const struct texture_call *call, const struct image_target *t, bool *too_large)
 {
     const int levels = fgl_texture_levels(t->target);
@@ -39,6 +46,7 @@ GLenum fgl_texture_define_error(const struct texture_call *call, const struct im
         return GL_INVALID_VALUE;
     *too_large = !size_fits(call, levels, call->width) || (call->dimensions > 1 && !size_fits(call, levels, call->height)) ||
                  (call->dimensions > 2 && !size_fits(call, levels, call->depth));
+    *too_large |= t->proxy && is_beyond_memory(call);
     return *too_large && !t->proxy ? GL_INVALID_VALUE : GL_NO_ERROR;
 }
 

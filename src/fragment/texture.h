@@ -27,6 +27,7 @@ struct sampler {
     float magnify_below; /* level of detail up to which mag is used (GL 1.5, 3.8.8: c) */
     GLenum compare_func; /* depth textures; 0: not compared */
     GLenum depth_mode;
+    int depth_bits;
     float border[4];   /* as a texel */
     int last_level;    /* level[0] is the base level */
     struct texture_level level[FGL_MAX_TEXTURE_LEVELS];

@@ -29,18 +29,52 @@ static inline const real *source_component(const struct combine_inputs *in, cons
     }
 }
 
-/* Argument k of a combiner for component c (GL 1.5, tables 3.25 and 3.26). */
-static inline void argument(const struct combine_inputs *in, const struct texture_environment *e, int stage,
+static inline bool complements(const struct combine *combine, int k)
+{
+    return combine->operand[k] == GL_ONE_MINUS_SRC_COLOR || combine->operand[k] == GL_ONE_MINUS_SRC_ALPHA;
+}
+
+/* Argument k of a combiner for component c before it is complemented (GL 1.5, tables 3.25 and 3.26). */
+static inline void plain_argument(const struct combine_inputs *in, const struct texture_environment *e, int stage,
                             const struct combine *combine, int k, const struct fragments *f, int c, real to[FRAGMENT_GROUP])
 {
     const GLenum operand = combine->operand[k];
     const bool alpha = operand == GL_SRC_ALPHA || operand == GL_ONE_MINUS_SRC_ALPHA;
     real constant[FRAGMENT_GROUP];
     const real *from = source_component(in, e, stage, combine->source[k], f, alpha ? 3 : c, constant);
-    if (operand == GL_ONE_MINUS_SRC_COLOR || operand == GL_ONE_MINUS_SRC_ALPHA)
-        FOR_GROUP(i) to[i] = 1 - from[i];
+    FOR_GROUP(i) to[i] = from[i];
+}
+
+static inline void argument(const struct combine_inputs *in, const struct texture_environment *e, int stage,
+                            const struct combine *combine, int k, const struct fragments *f, int c, real to[FRAGMENT_GROUP])
+{
+    plain_argument(in, e, stage, combine, k, f, c, to);
+    if (complements(combine, k))
+        FOR_GROUP(i) to[i] = 1 - to[i];
+}
+
+/* Arguments 0 and 1 mixed by argument 2. OSMesa rule: 1 - (1 - x) is x. */
+static inline void interpolate(const struct combine_inputs *in, const struct texture_environment *e, int stage,
+                               const struct combine *combine, const struct fragments *f, int c, real to[FRAGMENT_GROUP])
+{
+    real a[FRAGMENT_GROUP], b[FRAGMENT_GROUP], weight[FRAGMENT_GROUP], rest[FRAGMENT_GROUP];
+    argument(in, e, stage, combine, 0, f, c, a);
+    argument(in, e, stage, combine, 1, f, c, b);
+    plain_argument(in, e, stage, combine, 2, f, c, weight);
+    FOR_GROUP(i) rest[i] = 1 - weight[i];
+    if (complements(combine, 2))
+        FOR_GROUP(i) to[i] = a[i] * rest[i] + b[i] * weight[i];
     else
-        FOR_GROUP(i) to[i] = from[i];
+        FOR_GROUP(i) to[i] = a[i] * weight[i] + b[i] * rest[i];
+}
+
+/* Argument 0 - 1/2. OSMesa rule: in one step of a complemented one. */
+static inline void signed_argument0(const struct combine_inputs *in, const struct texture_environment *e, int stage,
+                                    const struct combine *combine, const struct fragments *f, int c, real to[FRAGMENT_GROUP])
+{
+    plain_argument(in, e, stage, combine, 0, f, c, to);
+    const bool complement = complements(combine, 0);
+    FOR_GROUP(i) to[i] = complement ? (real)0.5 - to[i] : to[i] - (real)0.5;
 }
 
 /* 4 (a - 1/2) . (b - 1/2) */
@@ -61,21 +95,29 @@ static inline void dot3(const struct combine_inputs *in, const struct texture_en
 static inline void combine_component(const struct combine_inputs *in, const struct texture_environment *e, int stage,
                                      const struct combine *combine, const struct fragments *f, int c, real to[FRAGMENT_GROUP])
 {
-    real a[3][FRAGMENT_GROUP];
+    real a[2][FRAGMENT_GROUP];
     if (combine->function == GL_DOT3_RGB || combine->function == GL_DOT3_RGBA) {
         dot3(in, e, stage, combine, f, to);
         return;
     }
-    const int arguments = combine->function == GL_REPLACE ? 1 : combine->function == GL_INTERPOLATE ? 3 : 2;
-    for (int k = 0; k < arguments; k++)
-        argument(in, e, stage, combine, k, f, c, a[k]);
+    if (combine->function == GL_INTERPOLATE) {
+        interpolate(in, e, stage, combine, f, c, to);
+        return;
+    }
+    if (combine->function == GL_ADD_SIGNED)
+        signed_argument0(in, e, stage, combine, f, c, a[0]);
+    else
+        argument(in, e, stage, combine, 0, f, c, a[0]);
+    if (combine->function == GL_REPLACE) {
+        memcpy(to, a[0], sizeof a[0]);
+        return;
+    }
+    argument(in, e, stage, combine, 1, f, c, a[1]);
     switch (combine->function) {
-    case GL_REPLACE: FOR_GROUP(i) to[i] = a[0][i]; break;
     case GL_MODULATE: FOR_GROUP(i) to[i] = a[0][i] * a[1][i]; break;
-    case GL_ADD: FOR_GROUP(i) to[i] = a[0][i] + a[1][i]; break;
-    case GL_ADD_SIGNED: FOR_GROUP(i) to[i] = a[0][i] + a[1][i] - (real)0.5; break;
-    case GL_SUBTRACT: FOR_GROUP(i) to[i] = a[0][i] - a[1][i]; break;
-    default: FOR_GROUP(i) to[i] = a[0][i] * a[2][i] + a[1][i] * (1 - a[2][i]); break; /* GL_INTERPOLATE */
+    case GL_ADD:
+    case GL_ADD_SIGNED: FOR_GROUP(i) to[i] = a[0][i] + a[1][i]; break;
+    default: FOR_GROUP(i) to[i] = a[0][i] - a[1][i]; break; /* GL_SUBTRACT */
     }
 }
 
@@ -95,7 +137,7 @@ static inline void apply_environment(const struct combine_inputs *in, const stru
     memcpy(f->color, to, sizeof to);
 }
 
-static inline void apply_textures(struct fragments *f, const struct fragment_plan *plan, const struct planes *p)
+static FGL_NOINLINE void apply_textures(struct fragments *f, const struct fragment_plan *plan, const struct planes *p)
 {
     struct combine_inputs in;
     memcpy(in.primary, f->color, sizeof in.primary);

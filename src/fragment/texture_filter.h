@@ -102,6 +102,14 @@ static inline real compare_depth(GLenum func, real r, real texel)
     return (real)((((int)func & (r < texel)) | ((int)(func >> 1) & (r == texel)) | ((int)(func >> 2) & (r > texel))) & 1);
 }
 
+/* OSMesa rule: depths of 24 bits are multiplied by the reciprocal of their largest value, where the specification divides. */
+static inline real sampled_depth(const struct sampler *sampler, float depth)
+{
+    if (R_EXACT || sampler->depth_bits != 24)
+        return (real)depth;
+    return (real)(int32_t)((double)depth * 16777215.0 + 0.5) * (real)(1.0f / 16777215.0f);
+}
+
 /* One texel, RGBA; outside of the image: the border. */
 static inline void fetch_texel(const struct sampler *sampler, const struct texture_level *level, const struct texture_coords *at,
                                int i, int x, int y, int z, real to[4])
@@ -114,7 +122,7 @@ static inline void fetch_texel(const struct sampler *sampler, const struct textu
         to[c] = !inside                           ? (real)sampler->border[c]
                 : sampler->kind == TEXELS_UNORM8 ? from_unorm8(((const uint8_t *)texels)[4 * index + (size_t)c])
                 : sampler->kind == TEXELS_FLOAT  ? (real)((const float *)texels)[4 * index + (size_t)c]
-                                                 : (real)((const float *)texels)[index];
+                                                 : sampled_depth(sampler, ((const float *)texels)[index]);
     if (sampler->compare_func)
         to[0] = compare_depth(sampler->compare_func, at->compare[i], to[0]);
 }

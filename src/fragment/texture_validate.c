@@ -92,6 +92,7 @@ static void derive_sampler(struct sampler *to, const struct texture_object *obje
     const struct texture_image *image = &object->image[0][object->parameters.base_level];
     to->target = object->target;
     to->kind = image->kind;
+    to->depth_bits = image->kind == TEXELS_DEPTH ? image->format->bits[0] : 0;
     derive_filters(to, &object->parameters);
     derive_lod(to, &object->parameters, unit_bias);
     derive_border(to, object->parameters.border_color, image->format->base_format);
