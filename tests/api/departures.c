@@ -167,16 +167,13 @@ static void a_vertex_material_that_is_no_number(void **state)
 /* GL 1.5, 3.9: without lighting, colours are summed while GL_COLOR_SUM is enabled. */
 static void unlit_secondary_colors_are_not_summed(void **state)
 {
-    void(GLAPIENTRY * secondary_color)(GLfloat, GLfloat, GLfloat);
-    const OSMESAproc found = OSMesaGetProcAddress("glSecondaryColor3f"); /* libOSMesa.so.8 does not export it */
     (void)state;
-    memcpy(&secondary_color, &found, sizeof found);
     glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR);
     glColor3f(0, 1, 0);
-    secondary_color(1, 0, 0);
+    glSecondaryColor3f(1, 0, 0);
     glRectf(-1, -1, 1, 1);
     glFinish();
-    assert_int_equal(picture[0], on_fixedgl() ? 0 : 255);
+    assert_int_equal(picture[0], 0); /* on OSMesa too, in this simple case */
 }
 
 int main(void)

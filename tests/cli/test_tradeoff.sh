@@ -5,6 +5,7 @@ build=${BUILD:-build}
 out=$build/tests/tradeoff
 failed=0
 rm -rf "$out"
+mkdir -p "$build/tests"
 tradeoff() { "$build/bin/fixedgl" tradeoff --vertices 64 --out "$out" "$@" 2>&1; }
 expect() { # expect TEXT OUTPUT-OF ARGUMENT...
     text=$1
