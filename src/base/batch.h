@@ -45,6 +45,7 @@ struct lanes4_exact {
 };
 struct exact_batch {
     struct lanes4_exact clip, win, color[2], secondary[2];
+    struct lanes4_exact lit_normal, lit_eye;
     struct lanes4_exact eye; /* x y z w, not divided; where there are user clip planes */
     struct lanes4_exact texture[FGL_MAX_TEXTURE_UNITS];
     double fog_z[FGL_BATCH_CAPACITY];
@@ -62,6 +63,7 @@ struct vertex_batch {
     struct lanes4 color[2];   /* lit or given colour, clamped to [0,1]; [1]: the back face's, when two-sided */
     struct lanes4 secondary[2]; /* separate specular colour, clamped */
     struct lanes4 texture[FGL_MAX_TEXTURE_UNITS]; /* coordinates that are computed, as struct vertex_plan lists them */
+    struct lanes4 lit_normal, lit_eye; /* for lighting per fragment: normal, and eye space position divided by w; c[3] = 0 */
     float fog_z[FGL_BATCH_CAPACITY]; /* |z_eye|, for fog */
     float point_size[FGL_BATCH_CAPACITY];
     uint32_t outcode[FGL_BATCH_CAPACITY]; /* CLIP_* bits: the planes that the vertex lies outside of */

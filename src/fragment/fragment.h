@@ -8,6 +8,7 @@
 
 #include "base/cpu.h"
 #include "base/fgl.h"
+#include "base/lit_fragments.h"
 #include "fragment/texture.h"
 #include "framebuffer/framebuffer.h"
 #include "state/context.h"
@@ -23,8 +24,8 @@ enum {
     LANE_FOG = 11,      /* |z_eye| or the fog coordinate */
     LANE_TEX0 = 12,     /* s t r q of the units whose coordinates are interpolated, one after the other; here, or earlier where
                            the lanes before are not needed: struct texture_stage */
-    LANE_SMOOTH = LANE_TEX0 +
-                  4 * FGL_MAX_TEXTURE_UNITS, /* enum smoothing: made by the rasterizer, not in vertices */
+    /* behind them, in groups of four: what lighting per fragment reads: struct lit_lanes */
+    LANE_SMOOTH = LANE_TEX0 + 4 * FGL_MAX_TEXTURE_UNITS + 4 * (2 + LIT_ATTRIBUTES), /* enum smoothing: made by the rasterizer, not in vertices */
     LANE_MAX = LANE_SMOOTH + 4,
     LANE_GROUP = 4 /* planes are set up in whole groups of lanes */
 };
@@ -34,6 +35,7 @@ enum color_source {
     COLOR_FLAT,     /* the provoking vertex's */
     COLOR_SMOOTH,   /* interpolated with perspective */
     COLOR_IMAGE,    /* pixel rectangles: struct pixel_inputs */
+    COLOR_LIT,      /* lit at each fragment: struct lit_lanes */
     COLOR_SOURCES
 };
 
@@ -75,6 +77,15 @@ static inline void fgl_plane_set(struct planes *p, enum fgl_arith arith, int lan
     }
 }
 
+/* GL_WIN_phong_shading: where the planes have what is lit, and who lights it. */
+struct lit_lanes {
+    int normal;     /* x y z; the fourth lane is above 0 for back faces, else 0 */
+    int eye;        /* x y z; 0: not read */
+    int attributes, attribute; /* how many; lane of the first one's r g b a */
+    light_fragments_fn *light;
+    const void *lights;
+};
+
 /* Covered pixels of consecutive rows, all inside the buffer: row y + i has the pixels x0[i] <= x < x1[i], or
  * none. */
 enum { RUNS_MAX = 64 };
@@ -114,8 +125,9 @@ struct fragment_plan {
 
     enum color_source color_source;
     float constant_color[4];
+    struct lit_lanes lit; /* for COLOR_LIT; set by the caller of fgl_fragment_validate */
     bool has_secondary; /* separate specular or colour sum, */
-    enum color_source secondary_source; /* from LANE_SECONDARY, or */
+    enum color_source secondary_source; /* from LANE_SECONDARY, lit, or */
     float constant_secondary[3];
     bool keeps_color; /* colours are wanted, even if fragments do not use them: feedback */
     uint32_t texture_varying; /* bit: a unit whose texture coordinates differ by fragment */

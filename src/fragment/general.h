@@ -5,6 +5,7 @@
 #define FGL_FRAGMENT_GENERAL_H
 
 #include "fragment/blend.h"
+#include "fragment/light.h"
 #include "fragment/texture_environment.h"
 
 static void general_group(const struct fragment_plan *plan, const struct planes *planes, int row, int x,
@@ -12,7 +13,10 @@ static void general_group(const struct fragment_plan *plan, const struct planes 
 {
     struct fragments f;
     start_fragments(&f, plan, planes, row, x, x0, x1);
-    interpolate_color(&f, plan, planes);
+    if (FGL_UNLIKELY(plan->color_source == COLOR_LIT))
+        light_group(&f, plan, planes);
+    else
+        interpolate_color(&f, plan, planes);
     if (plan->textures)
         apply_textures(&f, plan, planes);
     if (plan->has_secondary)

@@ -10,6 +10,7 @@ struct fragments {
     int x, row; /* of pixel 0 */
     real fy, fx[FRAGMENT_GROUP], w[FRAGMENT_GROUP];
     real color[4][FRAGMENT_GROUP];
+    real secondary[3][FRAGMENT_GROUP]; /* of COLOR_LIT */
     int32_t live[FRAGMENT_GROUP], depth[FRAGMENT_GROUP];
 };
 
@@ -63,7 +64,9 @@ static inline void add_secondary_color(struct fragments *f, const struct fragmen
     for (int c = 0; c < 3; c++) {
         const bool constant = plan->secondary_source == COLOR_CONSTANT;
         const real flat = constant ? (real)plan->constant_secondary[c] : PLANES(p)->a00[LANE_SECONDARY + c];
-        if (plan->secondary_source != COLOR_SMOOTH)
+        if (plan->secondary_source == COLOR_LIT)
+            FOR_GROUP(i) f->color[c][i] += f->secondary[c][i];
+        else if (plan->secondary_source != COLOR_SMOOTH)
             FOR_GROUP(i) f->color[c][i] += flat;
         else
             FOR_GROUP(i) f->color[c][i] += plane_at(p, LANE_SECONDARY + c, f->fx[i], f->fy) * f->w[i];

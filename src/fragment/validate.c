@@ -3,12 +3,13 @@
 #include "base/color_index.h"
 #include "fragment/fragment.h"
 
-/* Lanes that the stages read but those of textures, in whole groups. */
+/* Lanes that the stages read but those of textures and of lighting, in whole groups. */
 static int lanes_of(const struct fragment_plan *plan)
 {
-    if ((plan->has_secondary && plan->secondary_source != COLOR_CONSTANT) || plan->has_fog)
+    const bool lit = plan->color_source == COLOR_LIT;
+    if ((plan->has_secondary && plan->secondary_source != COLOR_CONSTANT && !lit) || plan->has_fog)
         return LANE_TEX0;
-    return plan->color_source == COLOR_CONSTANT ? LANE_COLOR : LANE_SECONDARY;
+    return plan->color_source == COLOR_CONSTANT || lit ? LANE_COLOR : LANE_SECONDARY;
 }
 
 /* OSMesa rule: coefficients in double, rounded to float once. */

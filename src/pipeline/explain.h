@@ -74,6 +74,8 @@ struct explain_detail {
     bool front; /* the face that is seen; points and lines: the front */
     int n;      /* vertices; the last is the provoking one */
     struct explain_vertex vertex[3];
+    bool lit;                 /* GL_PHONG_WIN: not the vertices, but the pixel was lit, */
+    struct explain_vertex at; /* with these materials, coordinates and terms; .trace.normal has unit length */
     int warnings;
     char warning[EXPLAIN_WARNINGS][EXPLAIN_WARNING_LENGTH];
 };
@@ -134,6 +136,9 @@ bool fgl_explain_scratch(struct scratch *s, const struct framebuffer *fb);
 /* The stages of the fragment of these planes at the pixel; fb is plan->fb, only looked at. */
 void fgl_explain_stages(struct scratch *s, const struct fragment_plan *plan, const struct planes *planes,
                         int row, int x, struct fragment_stages *stages);
+/* COLOR_LIT: the terms of the fragment itself. Its normal has unit length. */
+void fgl_explain_lit(struct scratch *s, const struct fragment_plan *plan, const struct planes *planes, int row, int x,
+                     struct vertex_trace *trace);
 /* The smooth colour that the planes have at the pixel, whatever the plan does with it. */
 void fgl_explain_color(struct scratch *s, const struct fragment_plan *plan, const struct planes *planes,
                        int row, int x, float color[4]);

@@ -143,6 +143,38 @@ void fgl_explain_color(struct scratch *s, const struct fragment_plan *plan, cons
     color_of(s, &f, planes, row, x, color);
 }
 
+/* A light_fragments_fn between the fragment kernel and the plan's lights, which notes. */
+struct noting {
+    const struct vertex_plan *plan;
+    struct vertex_trace *trace;
+};
+
+static void note_lights(const void *lights, struct lit_fragments *f)
+{
+    const struct noting *noting = lights;
+    struct vertex_trace *to = noting->trace;
+    double square = 0;
+    for (int c = 0; c < 3; c++) {
+        to->eye[c] = noting->plan->need_eye ? f->eye[c][0] : 0;
+        square += f->normal[c][0] * f->normal[c][0];
+    }
+    for (int c = 0; c < 3; c++)
+        to->normal[c] = square > 0 ? f->normal[c][0] / sqrt(square) : 0;
+    fgl_vertex_trace_fragment(noting->plan, f, &to->face[noting->plan->light.two_sided && f->back]);
+}
+
+void fgl_explain_lit(struct scratch *s, const struct fragment_plan *plan, const struct planes *planes, int row, int x,
+                     struct vertex_trace *trace)
+{
+    const struct noting noting = {plan->lit.lights, trace};
+    struct fragment_plan f = bare_plan(plan);
+    float color[4];
+    memset(trace, 0, sizeof *trace);
+    f.lit.light = note_lights;
+    f.lit.lights = &noting;
+    color_of(s, &f, planes, row, x, color);
+}
+
 /* Fog alone: what a white fragment keeps of itself in black fog. */
 static float fog_factor(struct scratch *s, const struct fragment_plan *plan, const struct planes *planes,
                         int row, int x)

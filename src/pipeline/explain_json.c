@@ -109,8 +109,9 @@ static void light(struct text *t, const struct light_derived *l, const struct li
     one(t, "spot", terms->spot);
     one(t, "n_dot_VP", terms->n_dot_VP);
     if (l->key & LIGHT_SPECULAR) {
-        numbers(t, "half", terms->half, 3);
-        one(t, "n_dot_h", terms->n_dot_h);
+        const bool reflection = l->key & LIGHT_REFLECTION;
+        numbers(t, reflection ? "reflection" : "half", terms->half, 3);
+        one(t, reflection ? "r_dot_v" : "n_dot_h", terms->n_dot_h);
         one(t, "shininess", terms->shininess);
         one(t, "highlight", terms->highlight);
     }
@@ -161,7 +162,8 @@ static void vertex_object(struct text *t, const struct explain_detail *d, const 
 
 static void primitive(struct text *t, const struct explain_detail *d, int vertex)
 {
-    static const char *const source[] = {"constant", "flat", "smooth"};
+    static const char *const source[COLOR_SOURCES] = {
+            [COLOR_CONSTANT] = "constant", [COLOR_FLAT] = "flat", [COLOR_SMOOTH] = "smooth", [COLOR_LIT] = "phong"};
     open(t, "made_by", '{');
     one(t, "draw", d->event.draw);
     string(t, "call", d->event.call);
@@ -177,6 +179,12 @@ static void primitive(struct text *t, const struct explain_detail *d, int vertex
         if (vertex < 0 || i == fgl_min(vertex, d->n - 1))
             vertex_object(t, d, &d->vertex[i]);
     close(t, ']');
+    if (d->lit) {
+        open(t, "lit", '{');
+        numbers(t, "eye", d->at.trace.eye, 3);
+        lighting(t, d, &d->at);
+        close(t, '}');
+    }
     fragment(t, &d->event.fragment);
     open(t, "warnings", '[');
     for (int i = 0; i < d->warnings; i++)

@@ -20,6 +20,7 @@ struct probe {
     int drawn;                  /* which of them wrote colour last, or -1 */
     struct primitive primitive; /* that one's, and its event */
     struct explain_event event;
+    struct vertex_trace lit; /* its terms, for COLOR_LIT */
     float weight[4];
 };
 
@@ -75,6 +76,8 @@ static void note_fragment(struct probe *probe, const struct planes *planes, cons
     probe->drawn = which;
     probe->primitive = probe->p->primitive;
     probe->event = event;
+    if (probe->real.color_source == COLOR_LIT)
+        fgl_explain_lit(&e->scratch, &probe->real, planes, probe->row, e->x, &probe->lit);
 }
 
 static struct probe *probe_of(const struct fragment_plan *plan)
@@ -160,7 +163,7 @@ static bool weigh(struct probe *probe, const uint32_t *elements, bool compiled, 
     p->plan.emit = emit;
     p->plan.raster.stride = p->plan.raster.lanes = LANE_SECONDARY;
     p->plan.raster.two_sided = p->plan.raster.flat = p->plan.raster.secondary = false;
-    p->plan.raster.size_lane = 0;
+    p->plan.raster.size_lane = p->plan.raster.face_lane = 0;
     p->plan.raster.point_size = FGL_MAX_POINT_SIZE; /* the weights of a point are the same all over it */
     assemble(probe, elements, compiled);
     p->cache.record = record;
@@ -187,6 +190,23 @@ static bool faces_front(const struct raster_plan *raster, const struct explain_d
     return (volume > 0) == raster->front_is_ccw;
 }
 
+/* The pixel as what was lit: its materials are the vertices', weighted. */
+static void fill_lit(struct explain_detail *d, const struct vertex_trace *lit)
+{
+    struct explain_vertex *at = &d->at;
+    const struct face_trace *face = &lit->face[d->two_sided && !d->front ? 1 : 0];
+    d->lit = true;
+    at->trace = *lit;
+    at->weight = 1;
+    for (int i = 0; i < d->n; i++)
+        for (int m = 0; m < MAT_COUNT; m++)
+            for (int c = 0; c < 4; c++)
+                at->material[m][c] += (float)(d->vertex[i].weight * (double)d->vertex[i].material[m][c]);
+    memcpy(at->color, d->event.fragment.interpolated, sizeof at->color);
+    for (int c = 0; c < 3; c++)
+        at->secondary[c] = fgl_clamp01((float)face->specular_sum[c]);
+}
+
 static void fill_detail(struct context *ctx, const struct probe *probe, const struct vertex_source *source,
                         const uint32_t *elements)
 {
@@ -197,7 +217,7 @@ static void fill_detail(struct context *ctx, const struct probe *probe, const st
     d->fragment_plan = p->plan.fragment;
     d->event = probe->event;
     d->flat = p->plan.raster.flat;
-    d->two_sided = p->plan.emit.two_sided;
+    d->two_sided = p->plan.vertex.lighting && p->plan.vertex.light.two_sided;
     d->n = probe->primitive.n;
     for (int i = 0; i < d->n; i++) {
         const uint32_t v = probe->primitive.vertex[i];
@@ -209,6 +229,8 @@ static void fill_detail(struct context *ctx, const struct probe *probe, const st
     fgl_explain_vertices(ctx, source, d); /* clip coordinates, which say */
     d->front = faces_front(&p->plan.raster, d);
     fgl_explain_vertices(ctx, source, d); /* the values of the face that is seen */
+    if (d->fragment_plan.color_source == COLOR_LIT)
+        fill_lit(d, &probe->lit);
     fgl_explain_warn(ctx, source, d);
     probe->e->has_detail = true;
 }

@@ -78,6 +78,7 @@ struct table {
     const struct explain_detail *d;
     int first, last; /* vertices shown */
     int face;
+    const struct explain_vertex *vertex; /* the vertices, or the pixel where that is what is lit */
 };
 
 FGL_PRINTF(2, 3)
@@ -112,7 +113,7 @@ static void cell3f(const struct table *table, const float v[3])
     do {                                                                                                     \
         label(table, "%s", name);                                                                            \
         for (int k = (table)->first; k <= (table)->last; k++) {                                              \
-            const struct explain_vertex *v = &(table)->d->vertex[k];                                         \
+            const struct explain_vertex *v = &(table)->vertex[k];                                          \
             const struct face_trace *f = &v->trace.face[(table)->face];                                      \
             (void)f;                                                                                         \
             cell;                                                                                            \
@@ -191,10 +192,11 @@ static void light_terms(const struct table *table, int i)
     }
     ROW(table, "  n.VP", cell1(table, f->light[i].n_dot_VP));
     if (l->key & LIGHT_SPECULAR) {
-        ROW(table, "  h, half vector", cell3(table, f->light[i].half));
-        ROW(table, "  n.h", cell1(table, f->light[i].n_dot_h));
+        const bool r = l->key & LIGHT_REFLECTION;
+        ROW(table, r ? "  r, VP reflected at n" : "  h, half vector", cell3(table, f->light[i].half));
+        ROW(table, r ? "  r.v, v to the viewer" : "  n.h", cell1(table, f->light[i].n_dot_h));
         ROW(table, "  s, shininess", cell1(table, f->light[i].shininess));
-        ROW(table, "  (n.h)^s, 0 if n.VP <= 0", cell1(table, f->light[i].highlight));
+        ROW(table, r ? "  (r.v)^s, 0 if n.VP <= 0" : "  (n.h)^s, 0 if n.VP <= 0", cell1(table, f->light[i].highlight));
     }
     ROW(table, "  + ambient", cell3(table, f->light[i].ambient));
     ROW(table, "  + diffuse", cell3(table, f->light[i].diffuse));
@@ -206,11 +208,18 @@ static void light_terms(const struct table *table, int i)
 static void lighting(const struct table *table)
 {
     const struct lighting_plan *l = &table->d->vertex_plan.light;
-    fgl_text_add(table->t, "\nLighting (GL 1.5, 2.14.1), %s face, %s viewer, in %s space\n",
-                 table->face ? "back" : "front", l->local_viewer ? "local" : "infinite",
+    const bool at_pixel = table->vertex == &table->d->at;
+    fgl_text_add(table->t, "\nLighting (GL 1.5, 2.14.1)%s, %s face, %s viewer, in %s space\n",
+                 at_pixel ? " of the pixel itself" : "", table->face ? "back" : "front", l->local_viewer ? "local" : "infinite",
                  l->object_space ? "object" : "eye");
     fgl_text_add(table->t, "  emission + scene x ambient + sum over the lights of\n"
-                           "      attenuation spot (ambient + max(n.VP, 0) diffuse + (n.h)^s specular)\n");
+                           "      attenuation spot (ambient + max(n.VP, 0) diffuse + (%s)^s specular)\n",
+                 l->specular_vector ? "r.v" : "n.h");
+    if (at_pixel) {
+        ROW(table, "n, interpolated, length 1", cell3(table, v->trace.normal));
+        if (table->d->vertex_plan.need_eye)
+            ROW(table, "eye coordinates", cell3(table, v->trace.eye));
+    }
     ROW(table, "emission", cell3f(table, v->material[MAT_EMISSION]));
     ROW(table, "material's ambient", cell3f(table, v->material[MAT_AMBIENT]));
     label(table, "scene's ambient light");
@@ -220,7 +229,7 @@ static void lighting(const struct table *table)
     for (int i = 0; i < l->n; i++)
         light_terms(table, i);
     ROW(table, "= sum", cell3(table, f->sum));
-    ROW(table, "clamped: vertex colour", cell3f(table, v->color));
+    ROW(table, at_pixel ? "clamped: its colour" : "clamped: vertex colour", cell3f(table, v->color));
     ROW(table, "alpha, of the diffuse", cell1(table, (double)v->color[3]));
     if (l->separate_specular)
         ROW(table, "secondary colour", cell3f(table, v->secondary));
@@ -284,9 +293,11 @@ static void fragment(struct text *t, const struct explain_detail *d, const struc
 {
     const struct fragment_stages *s = &d->event.fragment;
     const struct fragment_plan *f = &d->fragment_plan;
-    static const char *const source[] = {"the current colour, one for the whole draw",
-                                         "flat: the colour of the last vertex",
-                                         "the sum of weight x vertex colour"};
+    static const char *const source[COLOR_SOURCES] = {
+            [COLOR_CONSTANT] = "the current colour, one for the whole draw",
+            [COLOR_FLAT] = "flat: the colour of the last vertex",
+            [COLOR_SMOOTH] = "the sum of weight x vertex colour",
+            [COLOR_LIT] = "GL_PHONG_WIN: lit here, as above"};
     char note[96];
     fgl_text_add(t, "\n%-28s%9s%8s%8s%8s\n", "Fragment", "red", "green", "blue", "alpha");
     color_line(t, "colour", s->interpolated, source[f->color_source]);
@@ -310,7 +321,8 @@ static void fragment(struct text *t, const struct explain_detail *d, const struc
 static void detail(const struct explain *e, struct text *t, const struct framebuffer *fb, int vertex)
 {
     const struct explain_detail *d = &e->detail;
-    struct table table = {t, d, 0, d->n - 1, d->two_sided && !d->front ? 1 : 0};
+    struct table table = {t, d, 0, d->n - 1, d->two_sided && !d->front ? 1 : 0, d->vertex};
+    const struct table pixel = {t, d, 0, 0, table.face, &d->at};
     const struct explain_event *last = &d->event;
     if (vertex >= 0)
         table.first = table.last = fgl_min(vertex, d->n - 1);
@@ -322,7 +334,7 @@ static void detail(const struct explain *e, struct text *t, const struct framebu
         fgl_text_add(t, "%s  ! %s\n", i ? "" : "\nNote\n", d->warning[i]);
     coordinates(&table);
     if (d->vertex_plan.lighting)
-        lighting(&table);
+        lighting(d->lit ? &pixel : &table);
     else
         ROW(&table, d->vertex_plan.color_is_varying ? "glColor, clamped" : "glColor, not by vertex",
             cell3f(&table, v->color));

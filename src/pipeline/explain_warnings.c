@@ -95,7 +95,7 @@ static void check_normals(const struct server_state *s, struct explain_detail *d
         return;
     if (given == 0.0)
         warn(d, "The normal is zero: no light with a direction can light it.");
-    else if (fabs(length - 1.0) > 0.01)
+    else if (fabs(length - 1.0) > 0.01 && !d->lit)
         warn(d, "A normal of length %.3g with GL_NORMALIZE %s: diffuse light is multiplied by it%s.", length,
              s->transform.normalize ? "on" : "off",
              fabs(given - 1.0) <= 0.01 ? ". It was given with length 1; the modelview matrix scales: enable "
@@ -165,7 +165,7 @@ static void check_highlight(struct vertex_batch *b, const struct vertex_source *
 {
     struct vertex_trace middle;
     double of_vertices = 0;
-    if (d->n < 2 || d->flat)
+    if (d->n < 2 || d->flat || d->lit)
         return;
     for (int i = 0; i < d->n; i++)
         of_vertices += d->vertex[i].weight * highlight(d, &d->vertex[i].trace);

@@ -39,14 +39,14 @@ static void describe_lighting(struct text *t, const struct lighting_plan *l)
         fgl_text_add(t, "    GL_LIGHT%d %s%s%s%s%s\n", l->light[i].number,
                      k & LIGHT_POSITIONAL ? "positional" : "directional",
                      k & LIGHT_ATTENUATED ? ", attenuated" : "", k & LIGHT_SPOT ? ", spot" : "",
-                     k & LIGHT_SPECULAR ? ", highlight" : "",
+                     k & LIGHT_REFLECTION ? ", highlight by reflection vector" : k & LIGHT_SPECULAR ? ", highlight" : "",
                      k & LIGHT_LOCAL_VIEWER ? " for a local viewer" : "");
     }
 }
 
 static void describe_fragments(struct text *t, const struct fragment_plan *f)
 {
-    static const char *const color[] = {"constant", "flat", "interpolated"};
+    static const char *const color[COLOR_SOURCES] = {"constant", "flat", "interpolated", "of an image", "lit at each fragment"};
     fgl_text_add(t, "  fragments   colour %s%s%s%s%s", color[f->color_source],
                  f->has_secondary ? ", colour sum" : "", f->has_fog ? ", fog" : "",
                  f->alpha_test ? ", alpha test" : "", f->stencil_test ? ", stencil test" : "");

@@ -101,7 +101,7 @@ static void time_light(struct text *t, const struct vertex_timing *v, int i, dou
             {LIGHT_POSITIONAL, LIGHT_ATTENUATED, "vector to it"},
             {LIGHT_ATTENUATED, 0, "attenuation"},
             {LIGHT_SPOT, 0, "spot"},
-            {LIGHT_SPECULAR, LIGHT_LOCAL_VIEWER | LIGHT_SEPARATE | LIGHT_ZERO_SHININESS, "highlight"},
+            {LIGHT_SPECULAR, LIGHT_LOCAL_VIEWER | LIGHT_SEPARATE | LIGHT_ZERO_SHININESS | LIGHT_REFLECTION, "highlight"},
             {LIGHT_LOCAL_VIEWER, 0, "for the local viewer"},
     };
     const struct light_derived *light = &v->p->plan.vertex.light.light[i];

@@ -17,7 +17,10 @@ static bool light(struct context *ctx, const float object[4], struct current_sta
     b->varying = 1u << ATTR_POSITION;
     for (int c = 0; c < 4; c++)
         b->in[ATTR_POSITION].c[c][0] = object[c];
+    const bool light_fragments = p->plan.vertex.light_fragments;
+    p->plan.vertex.light_fragments = false; /* this vertex has no fragments */
     fgl_vertex_run(&p->plan.vertex, b, p->general);
+    p->plan.vertex.light_fragments = light_fragments;
     fgl_vertex_round(&p->plan.vertex, b);
     if (ctx->color_index) {
         current->raster_index = b->color[0].c[0][0];

@@ -3,6 +3,8 @@
 #include "base/color_index.h"
 #include "pipeline/pipeline.h"
 
+#include <string.h>
+
 enum {
     VERTEX_DEPS = DIRTY_MODELVIEW | DIRTY_PROJECTION | DIRTY_TEXTURE_MATRIX | DIRTY_LIGHT | DIRTY_MATERIAL | DIRTY_CURRENT |
                   DIRTY_NORMALIZE | DIRTY_CLIP_PLANE | DIRTY_VIEWPORT | DIRTY_VARYING | DIRTY_FOG | DIRTY_FRAMEBUFFER | DIRTY_TEXTURE |
@@ -21,6 +23,8 @@ static uint32_t color_bit(bool color_index)
 static enum color_source color_source(const struct context *ctx, uint32_t varying)
 {
     const struct server_state *s = &ctx->s;
+    if (ctx->pipeline->plan.vertex.light_fragments)
+        return COLOR_LIT;
     if (!s->lighting.lighting && !(varying & color_bit(ctx->color_index)))
         return COLOR_CONSTANT;
     return s->lighting.shade_model == GL_FLAT ? COLOR_FLAT : COLOR_SMOOTH;
@@ -58,19 +62,42 @@ static bool decomposed(const struct raster_plan *r)
            (r->longer_road && (offset || r->two_sided));
 }
 
+/* GL_WIN_phong_shading: what lighting reads, interpolated in lanes of its own, and the vertex stage to light it. */
+static void add_lit_lanes(struct plan *plan)
+{
+    struct emit_plan *e = &plan->emit;
+    struct lit_lanes *lit = &plan->fragment.lit;
+    const struct lighting_plan *light = &plan->vertex.light;
+    e->lit_lane = lit->normal = e->lanes;
+    e->lit_eye = plan->vertex.need_eye;
+    e->lanes += LANE_GROUP;
+    lit->eye = e->lit_eye ? e->lanes : 0;
+    e->lanes += e->lit_eye ? LANE_GROUP : 0;
+    lit->attribute = e->lanes;
+    e->lit_attributes = lit->attributes = light->attributes;
+    e->lanes += LANE_GROUP * light->attributes;
+    memcpy(e->lit_attribute, light->attribute, sizeof e->lit_attribute);
+    lit->light = fgl_vertex_light_fragments;
+    lit->lights = &plan->vertex;
+}
+
 static void update_emit(struct plan *plan)
 {
     struct emit_plan *e = &plan->emit;
     const enum fgl_arith arith = plan->vertex.arith;
-    e->color = plan->fragment.color_source != COLOR_CONSTANT;
-    e->secondary = plan->fragment.has_secondary && plan->fragment.secondary_source != COLOR_CONSTANT;
+    const bool lit = plan->vertex.light_fragments;
+    e->color = plan->fragment.color_source != COLOR_CONSTANT && !lit;
+    e->secondary = plan->fragment.has_secondary && plan->fragment.secondary_source != COLOR_CONSTANT && !lit;
     e->fog = plan->fragment.has_fog;
-    e->two_sided = plan->vertex.lighting && plan->vertex.light.two_sided;
+    e->two_sided = plan->vertex.lighting && plan->vertex.light.two_sided && !lit;
     e->textures = plan->vertex.textures;
     for (int k = 0; k < e->textures; k++)
         e->texture_unit[k] = plan->vertex.texture[k].computed ? -1 : plan->vertex.texture[k].unit;
     e->texture_lane = e->fog || e->secondary ? LANE_TEX0 : e->color ? LANE_SECONDARY : LANE_COLOR;
     e->lanes = e->texture_lane + 4 * e->textures;
+    e->lit_lane = 0;
+    if (lit)
+        add_lit_lanes(plan);
     e->back_lane = e->lanes;
     const int faces_end = e->lanes + (e->two_sided ? (e->secondary ? 8 : 4) : 0);
     e->size_lane = plan->vertex.need_point_size ? faces_end : 0;
@@ -82,6 +109,7 @@ static void update_emit(struct plan *plan)
     r->back_lane = e->back_lane;
     r->two_sided = e->two_sided;
     r->flat = plan->fragment.color_source == COLOR_FLAT || (e->secondary && plan->fragment.secondary_source == COLOR_FLAT);
+    r->face_lane = lit && plan->vertex.light.two_sided ? plan->fragment.lit.normal + 3 : 0;
     r->secondary = e->secondary;
     r->size_lane = e->size_lane;
     plan->decomposed = decomposed(r);
@@ -93,7 +121,7 @@ static void update_secondary(const struct context *ctx, struct fragment_plan *f,
     const struct lighting_state *l = &ctx->s.lighting;
     const bool by_vertex = l->lighting || (varying & (1u << ATTR_SECONDARY_COLOR));
     f->has_secondary = l->lighting ? l->light_model_color_control == GL_SEPARATE_SPECULAR_COLOR : ctx->s.fog.color_sum;
-    f->secondary_source = !by_vertex ? COLOR_CONSTANT : l->shade_model == GL_FLAT ? COLOR_FLAT : COLOR_SMOOTH;
+    f->secondary_source = f->color_source == COLOR_LIT ? COLOR_LIT : !by_vertex ? COLOR_CONSTANT : l->shade_model == GL_FLAT ? COLOR_FLAT : COLOR_SMOOTH;
     for (int i = 0; i < 3; i++)
         f->constant_secondary[i] = fgl_clamp01(ctx->s.current.attr[ATTR_SECONDARY_COLOR][i]);
 }

@@ -23,6 +23,8 @@ static FGL_ALWAYS_INLINE void setup_planes(const struct raster_plan *plan, struc
         if (secondary)
             plane_lanes(planes, LANE_SECONDARY, 3, true, &g, v, color + 4);
     }
+    if (plan->face_lane && !front)
+        fgl_plane_set(planes, R_EXACT ? ARITH_EXACT : ARITH_COMPATIBLE, plan->face_lane, 1);
     PLANES(planes)->z_offset = plan->offset_fill ? polygon_offset(plan, v) : 0;
     planes->smoothing = plan->polygon_smoothing;
     planes->stipple = plan->polygon_stipple ? plan->stipple : NULL;

@@ -44,6 +44,8 @@ static void copy_vertex(const struct raster_plan *plan, struct corner *to, const
     memcpy(to->lane, v, (size_t)plan->lanes * sizeof(real));
     if (plan->lanes > LANE_COLOR)
         memcpy(to->lane + LANE_COLOR, color + from, 4 * sizeof(real));
+    if (back && plan->face_lane)
+        to->lane[plan->face_lane] = 1;
     if (secondary)
         memcpy(to->lane + LANE_SECONDARY, color + from + 4, 3 * sizeof(real));
 }
@@ -64,6 +66,7 @@ static void fill(const struct raster_plan *plan, const struct corner *v)
 {
     struct raster_plan filled = *plan;
     filled.two_sided = filled.offset_fill = false;
+    filled.face_lane = 0;
     plan->filled(&filled, v[0].lane, v[1].lane, v[2].lane, v[0].lane);
 }
 

@@ -59,6 +59,7 @@ struct raster_plan {
     bool flat;          /* colour lanes come from the provoking vertex, raw */
     bool two_sided;
     int back_lane;
+    int face_lane; /* lane that is above 0 for back faces, lit as such at each fragment; 0: none */
     bool cull_front, cull_back;
     bool cull_ccw, cull_cw; /* the same by orientation: the sign of the snapped area, counter-clockwise as GL
                                sees it */
@@ -87,7 +88,7 @@ const struct raster_kernels *fgl_raster_kernels_of(enum fgl_isa isa, enum fgl_ar
  * enabled. */
 struct rect fgl_raster_bounds(const struct scissor_state *scissor, const struct framebuffer *fb);
 
-/* Fills all but stride, lanes, flat, two_sided, back_lane, secondary, size_lane (the vertex stage's layout). */
+/* Fills all but stride, lanes, flat, two_sided, back_lane, face_lane, secondary, size_lane (the vertex stage's layout). */
 void fgl_raster_validate(struct raster_plan *plan, const struct server_state *s,
                          const struct fragment_plan *fragment);
 

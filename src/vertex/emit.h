@@ -7,6 +7,7 @@
 
 #include "base/batch.h"
 #include "base/cpu.h"
+#include "base/lit_fragments.h"
 
 enum { CLIP_LANES = 4, EXACT_CLIP_LANES = 8 };
 #define CLIP_VERTEX_LANES (R_EXACT ? (int)EXACT_CLIP_LANES : (int)CLIP_LANES) /* in kernels */
@@ -22,6 +23,9 @@ struct emit_plan {
     int back_lane;
     int textures, texture_lane;
     int texture_unit[FGL_MAX_TEXTURE_UNITS]; /* whose given coordinates are handed over; -1: those computed */
+    int lit_lane; /* lighting per fragment: normal, eye coordinates where lit_eye, the attributes; 0: none */
+    bool lit_eye;
+    int lit_attributes, lit_attribute[LIT_ATTRIBUTES];
     int size_lane; /* the point's size, when it differs by vertex; 0: none */
 };
 

@@ -46,6 +46,18 @@ static void emit_textures(const struct emit_plan *plan, const struct vertex_batc
     }
 }
 
+static FGL_NOINLINE void emit_lit(const struct emit_plan *plan, const struct vertex_batch *batch, real *to)
+{
+    emit4(to, plan->stride, &RESULTS(batch)->lit_normal, batch->n);
+    to += 4;
+    if (plan->lit_eye) {
+        emit4(to, plan->stride, &RESULTS(batch)->lit_eye, batch->n);
+        to += 4;
+    }
+    for (int k = 0; k < plan->lit_attributes; k++, to += 4)
+        emit_given(to, plan->stride, &batch->in[plan->lit_attribute[k]], batch->n);
+}
+
 /* All of a record but its position. */
 static void emit_attributes(const struct emit_plan *plan, const struct vertex_batch *batch, void *records)
 {
@@ -59,6 +71,8 @@ static void emit_attributes(const struct emit_plan *plan, const struct vertex_ba
         for (int i = 0; i < n; i++)
             record[i * stride + 11] = RESULTS(batch)->fog_z[i];
     emit_textures(plan, batch, record);
+    if (plan->lit_lane)
+        emit_lit(plan, batch, record + plan->lit_lane);
     for (int i = 0; i < n && plan->size_lane; i++)
         record[i * stride + plan->size_lane] = (real)batch->point_size[i];
     if (plan->two_sided)

@@ -124,19 +124,13 @@ static void run_normals(const struct vertex_plan *plan, struct vertex_batch *b, 
     kernel(plan, work, n);
 }
 
-/* Lights one face into color[face] and secondary[face]. trace: NULL but for fgl_vertex_trace. */
-static void run_face(const struct vertex_plan *vertex, struct vertex_batch *b, int first, int n, int face,
-                     struct vertex_work *work, bool general, struct face_trace *trace)
+/* Adds the plan's lights to sums that were started. trace: NULL, or where the terms of the first vertex go. */
+static void add_lights(const struct vertex_plan *vertex, int n, int face, struct vertex_work *work, bool general,
+                       struct face_trace *trace)
 {
     const struct lighting_plan *plan = &vertex->light;
     const light_numbers *lights = PLAN_LIGHTS(vertex);
-    const int alpha = plan->source[MAT_DIFFUSE][face];
-    real_lanes4 *color = &RESULTS(b)->color[face];
 
-    if (plan->varying)
-        start_varying(plan, b, first, n, face, work);
-    else
-        start_constant(PLAN_BASE(vertex, face), n, work);
     if (trace)
         note3(trace->base, work->color);
     for (int i = 0; i < plan->n; i++) {
@@ -154,6 +148,23 @@ static void run_face(const struct vertex_plan *vertex, struct vertex_batch *b, i
         note3(trace->sum, work->color);
         note3(trace->specular_sum, work->specular);
     }
+}
+
+/* Lights one face into color[face] and secondary[face]. trace: NULL but for fgl_vertex_trace. */
+static void run_face(const struct vertex_plan *vertex, struct vertex_batch *b, int first, int n, int face,
+                     struct vertex_work *work, bool general, struct face_trace *trace)
+{
+    const struct lighting_plan *plan = &vertex->light;
+    const int alpha = plan->source[MAT_DIFFUSE][face];
+    real_lanes4 *color = &RESULTS(b)->color[face];
+
+    if (plan->varying) {
+        load_materials(plan, b, first, n, face, work);
+        start_varying(plan, n, work);
+    } else {
+        start_constant(PLAN_BASE(vertex, face), n, work);
+    }
+    add_lights(vertex, n, face, work, general, trace);
 
     if (vertex->color_index) {
         light_indexes(plan, b, first, n, face, work);
@@ -197,6 +208,48 @@ static bool gather_extremes(struct vertex_work *work, struct vertex_batch *b, in
     return any != 0;
 }
 
+/* Lighting per fragment: what it reads. */
+static void hand_over(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n, struct vertex_work *work)
+{
+    real_lanes4 *normal = &RESULTS(b)->lit_normal, *eye = &RESULTS(b)->lit_eye;
+
+    for (int c = 0; c < 3 && plan->need_normal; c++)
+        memcpy(normal->c[c] + first, work->normal[c], (size_t)n * sizeof(real));
+    for (int c = 0; c < 3 && plan->need_eye; c++)
+        memcpy(eye->c[c] + first, work->eye[c], (size_t)n * sizeof(real));
+}
+
+/* Fragments are lit as vertices with their normals scaled to unit length. */
+static bool light_fragments(const struct vertex_plan *vertex, struct lit_fragments *f, struct face_trace *trace,
+                            uint32_t extreme[LIT_GROUP])
+{
+    const struct lighting_plan *plan = &vertex->light;
+    const int n = LIT_GROUP, face = plan->two_sided && f->back;
+    struct vertex_work work;
+    uint32_t any = 0;
+
+    load_fragments(vertex, f, &work);
+    if (plan->varying) {
+        load_fragment_materials(plan, f, face, &work);
+        start_varying(plan, n, &work);
+    } else {
+        start_constant(PLAN_BASE(vertex, face), n, &work);
+    }
+    add_lights(vertex, n, face, &work, false, trace);
+    for (int c = 0; c < 3; c++)
+        for (int i = 0; i < n; i++)
+            f->color[c][i] = (double)r_clamp01(work.color[c][i]);
+    for (int c = 0; c < 3 && plan->separate_specular; c++)
+        for (int i = 0; i < n; i++)
+            f->secondary[c][i] = (double)r_clamp01(work.specular[c][i]);
+    load_fragment_parameter(plan, f, MAT_DIFFUSE, face, 3, work.color[0]);
+    for (int i = 0; i < n; i++)
+        f->color[3][i] = (double)r_clamp01(work.color[0][i]);
+    for (int i = 0; i < n; i++)
+        any |= extreme[i] = R_EXACT ? 0u : work.extreme[i];
+    return any != 0;
+}
+
 /* n: whole groups; count: those that are vertices. */
 static bool run_lighting(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n, int count,
                          bool general, struct vertex_trace *trace)
@@ -217,7 +270,9 @@ static bool run_lighting(const struct vertex_plan *plan, struct vertex_batch *b,
         run_normals(plan, b, first, n, &work, general);
     if (trace && plan->need_normal)
         note3(trace->normal, work.normal);
-    for (int face = 0; face <= plan->light.two_sided; face++)
+    if (plan->light_fragments && !trace)
+        hand_over(plan, b, first, n, &work);
+    for (int face = 0; face <= plan->light.two_sided && (trace || !plan->light_fragments); face++)
         run_face(plan, b, first, n, face, &work, general, trace ? &trace->face[face] : NULL);
     return !R_EXACT && gather_extremes(&work, b, first, count);
 }
@@ -292,6 +347,7 @@ const struct vertex_kernels FGL_KERNELS(vertex) = {
         .positions = positions,
         .shade = shade,
         .light = light,
+        .light_fragments = light_fragments,
         .trace = trace_vertex,
         .emit = emit,
         .emit_positions = emit_positions,

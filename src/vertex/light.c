@@ -35,12 +35,12 @@ static bool is_attenuated(const struct light *light)
 
 /* Whether lighting may be done in object space: OSMesa rule. Only directions are needed, and lengths are
  * kept. */
-static bool in_object_space(const struct server_state *s, unsigned modelview_class)
+static bool in_object_space(const struct server_state *s, unsigned modelview_class, bool light_fragments)
 {
     const struct lighting_state *state = &s->lighting;
     const float *attenuation = s->point.point_distance_attenuation;
 
-    if (state->light_model_local_viewer || state->light_model_color_control == GL_SEPARATE_SPECULAR_COLOR)
+    if (light_fragments || state->light_model_local_viewer || state->light_model_color_control == GL_SEPARATE_SPECULAR_COLOR)
         return false;
     if (attenuation[0] != 1.0f || attenuation[1] != 0.0f || attenuation[2] != 0.0f || fgl_texgen_in_eye_space(s))
         return false;
@@ -69,6 +69,14 @@ static bool follows_color(const struct lighting_state *state, enum fgl_material 
     }
 }
 
+static void list_attribute(struct lighting_plan *light, int attribute)
+{
+    for (int k = 0; k < light->attributes; k++)
+        if (light->attribute[k] == attribute)
+            return;
+    light->attribute[light->attributes++] = attribute;
+}
+
 /* Where each parameter comes from: the vertices' colours, the vertices' materials, or a constant. */
 static void derive_materials(struct vertex_plan *plan, const struct lighting_state *state)
 {
@@ -76,6 +84,7 @@ static void derive_materials(struct vertex_plan *plan, const struct lighting_sta
     const int faces = light->two_sided ? 2 : 1;
 
     light->varying = false;
+    light->attributes = 0;
     memcpy(light->material, state->material, sizeof light->material);
     for (int p = 0; p < MAT_COUNT; p++)
         for (int face = 0; face < 2; face++) {
@@ -90,7 +99,10 @@ static void derive_materials(struct vertex_plan *plan, const struct lighting_sta
                 *source = ATTR_COLOR;
             else if (!follows && (plan->varying >> own & 1))
                 *source = own;
-            light->varying |= *source >= 0 && face < faces && p != MAT_INDEXES;
+            if (*source < 0 || face >= faces || p == MAT_INDEXES)
+                continue;
+            light->varying = true;
+            list_attribute(light, *source);
         }
 }
 
@@ -290,7 +302,7 @@ void fgl_light_validate(struct vertex_plan *plan, struct context *ctx)
     light->local_viewer = state->light_model_local_viewer;
     light->separate_specular = state->light_model_color_control == GL_SEPARATE_SPECULAR_COLOR;
     light->specular_vector = state->light_model_specular_vector;
-    light->object_space = in_object_space(&ctx->s, modelview_class);
+    light->object_space = in_object_space(&ctx->s, modelview_class, plan->light_fragments);
     memcpy(light->model_ambient, state->light_model_ambient, sizeof light->model_ambient);
     for (int c = 0; c < 3; c++)
         light->view_direction[c] = light->object_space ? modelview->m[4 * c + 2] : c == 2 ? 1.0f : 0.0f;

@@ -240,8 +240,8 @@ static FGL_ALWAYS_INLINE void load_parameter(const struct lighting_plan *FGL_RES
 }
 
 /* Materials that differ by vertex (GL 1.5, 2.14.2 "Lighting Parameter Specification", 2.14.3
- * "ColorMaterial"): the work space's material of one face, and the sums' start. */
-static FGL_ALWAYS_INLINE void start_varying(const struct lighting_plan *FGL_RESTRICT plan,
+ * "ColorMaterial"): the work space's material of one face, its emission in the sums. */
+static FGL_ALWAYS_INLINE void load_materials(const struct lighting_plan *FGL_RESTRICT plan,
                                             struct vertex_batch *FGL_RESTRICT b, int first, int n, int face,
                                             struct vertex_work *FGL_RESTRICT work)
 {
@@ -250,11 +250,42 @@ static FGL_ALWAYS_INLINE void start_varying(const struct lighting_plan *FGL_REST
             load_parameter(plan, b, first, n, (enum fgl_material)(MAT_AMBIENT + color), face, c,
                            work->material[color][c]);
     load_parameter(plan, b, first, n, MAT_SHININESS, face, 0, work->shininess);
+    for (int c = 0; c < 3; c++)
+        load_parameter(plan, b, first, n, MAT_EMISSION, face, c, work->color[c]);
+}
+
+/* The same of fragments. */
+static FGL_NOINLINE void load_fragment_parameter(const struct lighting_plan *plan, const struct lit_fragments *f,
+                                                 enum fgl_material parameter, int face, int component, real *out)
+{
+    const int source = plan->source[parameter][face];
+    int k = 0;
+
+    while (source >= 0 && plan->attribute[k] != source)
+        k++;
+    for (int i = 0; i < LIT_GROUP; i++)
+        out[i] = source < 0 ? (real)plan->material[parameter][face][component] : (real)f->attribute[k][component][i];
+}
+
+static void load_fragment_materials(const struct lighting_plan *plan, const struct lit_fragments *f, int face,
+                                    struct vertex_work *work)
+{
+    for (int c = 0; c < 3; c++) {
+        for (int color = 0; color < COLOR_COUNT; color++)
+            load_fragment_parameter(plan, f, (enum fgl_material)(MAT_AMBIENT + color), face, c, work->material[color][c]);
+        load_fragment_parameter(plan, f, MAT_EMISSION, face, c, work->color[c]);
+    }
+    load_fragment_parameter(plan, f, MAT_SHININESS, face, 0, work->shininess);
+}
+
+/* Starts the sums where materials differ by vertex. */
+static FGL_ALWAYS_INLINE void start_varying(const struct lighting_plan *FGL_RESTRICT plan, int n,
+                                            struct vertex_work *FGL_RESTRICT work)
+{
     for (int i = 0, end = whole_groups(n); i < end; i++)
         work->shininess[i] = r_max(r_min(work->shininess[i], FGL_MAX_SHININESS), -FGL_MAX_SHININESS);
 
     for (int c = 0; c < 3; c++) {
-        load_parameter(plan, b, first, n, MAT_EMISSION, face, c, work->color[c]);
         for (int i = 0, end = whole_groups(n); i < end; i++) {
             work->color[c][i] =
                     r_term((real)plan->model_ambient[c] * work->material[COLOR_AMBIENT][c][i]) +
@@ -281,6 +312,26 @@ static FGL_ALWAYS_INLINE void mark_not_numbers(struct vertex_work *FGL_RESTRICT 
         real total = (work->color[0][i] + work->specular[0][i]) + (work->color[1][i] + work->specular[1][i]) +
                      (work->color[2][i] + work->specular[2][i]);
         work->extreme[i] |= (uint32_t)(total != total);
+    }
+}
+
+/* The work space of a group of fragments: normals scaled to unit length, positions, views. */
+static FGL_NOINLINE void load_fragments(const struct vertex_plan *plan, const struct lit_fragments *f,
+                                        struct vertex_work *work)
+{
+    const bool local_viewer = plan->light.local_viewer;
+
+    for (int i = 0; i < LIT_GROUP; i++) {
+        struct real3 normal = r_vec3((real)f->normal[0][i], (real)f->normal[1][i], (real)f->normal[2][i]);
+        store3(work->normal, i, r_normalize3(normal));
+        work->extreme[i] = outside(r_dot3(normal, normal), SAFE_SQUARE_LEAST, SAFE_SQUARE_GREATEST);
+        work->least[i] = SAFE_SQUARE_LEAST;
+    }
+    for (int i = 0; i < LIT_GROUP && plan->need_eye; i++) {
+        struct real3 eye = r_vec3((real)f->eye[0][i], (real)f->eye[1][i], (real)f->eye[2][i]);
+        store3(work->eye, i, eye);
+        store3(work->view, i, r_normalize3(eye));
+        work->extreme[i] |= local_viewer ? outside(r_dot3(eye, eye), SAFE_SQUARE_LEAST, SAFE_SQUARE_GREATEST) : 0u;
     }
 }
 

@@ -96,6 +96,8 @@ void fgl_vertex_validate(struct vertex_plan *plan, struct context *ctx, uint32_t
 
     plan->varying = varying;
     plan->lighting = ctx->s.lighting.lighting;
+    plan->light_fragments = plan->lighting && ctx->s.lighting.shade_model == GL_PHONG_WIN && !ctx->color_index &&
+                            ctx->render_mode == GL_RENDER;
     plan->need_fog_z = ctx->s.fog.fog && ctx->s.fog.fog_coord_src != GL_FOG_COORDINATE;
     plan->need_fog_coord = ctx->s.fog.fog && !plan->need_fog_z;
     plan->secondary_is_varying =
@@ -121,6 +123,15 @@ static void round_colors(struct vertex_batch *b, int i)
         }
 }
 
+/* The batch's results for lighting per fragment. */
+static void round_lit(struct vertex_batch *b, int i)
+{
+    for (int c = 0; c < 3; c++) {
+        b->lit_normal.c[c][i] = (float)b->exact.lit_normal.c[c][i];
+        b->lit_eye.c[c][i] = (float)b->exact.lit_eye.c[c][i];
+    }
+}
+
 void fgl_vertex_round(const struct vertex_plan *plan, struct vertex_batch *b)
 {
     for (int i = 0; plan->arith == ARITH_EXACT && i < b->n; i++) {
@@ -139,7 +150,7 @@ static void light_extremes(const struct vertex_plan *plan, struct vertex_batch *
     fgl_vertex_kernels(ARITH_EXACT)->light(plan, b, first, n, general);
     for (int i = first; i < first + n; i++)
         if (plan->exact.needed || b->extreme[i])
-            round_colors(b, i);
+            (plan->light_fragments ? round_lit : round_colors)(b, i);
 }
 
 static void gather_outcodes(struct vertex_batch *batch)
@@ -192,6 +203,29 @@ void fgl_vertex_trace(const struct vertex_plan *plan, struct vertex_batch *batch
 {
     if (fgl_vertex_kernels(plan->arith)->trace(plan, batch, trace) || (plan->exact.needed && plan->lighting))
         (void)fgl_vertex_kernels(ARITH_EXACT)->trace(plan, batch, trace);
+}
+
+/* Fragments too are lit in double where float is not safe. */
+void fgl_vertex_trace_fragment(const struct vertex_plan *plan, struct lit_fragments *f, struct face_trace *trace)
+{
+    const bool all = plan->exact.needed;
+    struct lit_fragments exact = *f;
+    uint32_t extreme[LIT_GROUP], unused[LIT_GROUP];
+
+    if (!fgl_vertex_kernels(plan->arith)->light_fragments(plan, f, trace, extreme) && !all)
+        return;
+    fgl_vertex_kernels(ARITH_EXACT)->light_fragments(plan, &exact, all || extreme[0] ? trace : NULL, unused);
+    for (int i = 0; i < LIT_GROUP; i++)
+        for (int c = 0; c < 4 && (all || extreme[i]); c++) {
+            f->color[c][i] = exact.color[c][i];
+            if (c < 3 && plan->light.separate_specular)
+                f->secondary[c][i] = exact.secondary[c][i];
+        }
+}
+
+void fgl_vertex_light_fragments(const void *plan, struct lit_fragments *f)
+{
+    fgl_vertex_trace_fragment(plan, f, NULL);
 }
 
 void fgl_emit_layout(struct emit_plan *plan, enum fgl_arith arith, int stride)

@@ -8,6 +8,7 @@
 
 #include "base/batch.h"
 #include "base/cpu.h"
+#include "base/lit_fragments.h"
 #include "state/context.h"
 #include "vertex/cone.h"
 #include "vertex/emit.h"
@@ -53,6 +54,7 @@ struct lighting_plan {
     bool specular_vector;     /* GL_APPLE_specular_vector */
     bool shininess_all_zero;  /* OSMesa takes another specular path then */
     bool varying;             /* some material parameter differs by vertex */
+    int attributes, attribute[LIT_ATTRIBUTES]; /* those that give any, each once */
     int source[MAT_COUNT][2]; /* [parameter][face]: the attribute of the batch that gives it, or -1: the
                                  constant below */
     float material[MAT_COUNT][2]
@@ -111,6 +113,7 @@ struct vertex_plan {
     float user_plane[FGL_MAX_CLIP_PLANES][4];      /* in clip space */
 
     bool lighting;
+    bool light_fragments; /* GL_PHONG_WIN: not colours, but what lighting reads is handed over */
     bool need_eye;    /* lighting reads eye positions: local lights or viewer */
     bool need_view;   /* lighting reads the direction of the local viewer */
     bool need_normal; /* lighting reads normals */
@@ -192,6 +195,11 @@ struct vertex_trace {
  */
 void fgl_vertex_trace(const struct vertex_plan *plan, struct vertex_batch *batch, struct vertex_trace *trace);
 
+/* Lights fragments with the plan's lights (GL_WIN_phong_shading): a light_fragments_fn. The second form also notes the terms of the
+ * first fragment. */
+void fgl_vertex_light_fragments(const void *plan, struct lit_fragments *f);
+void fgl_vertex_trace_fragment(const struct vertex_plan *plan, struct lit_fragments *f, struct face_trace *trace);
+
 /* The kernels of one instruction set (kernels.c). first is a multiple of 16; n is at most VERTEX_CHUNK. */
 enum { VERTEX_CHUNK = 256 };
 struct vertex_kernels {
@@ -201,6 +209,9 @@ struct vertex_kernels {
     bool (*shade)(const struct vertex_plan *plan, struct vertex_batch *batch, int first, int n, bool general);
     bool (*run)(const struct vertex_plan *plan, struct vertex_batch *batch, int first, int n, bool general);
     void (*light)(const struct vertex_plan *plan, struct vertex_batch *batch, int first, int n, bool general);
+    /* trace may be NULL. Returns whether extreme is not 0 for a fragment */
+    bool (*light_fragments)(const struct vertex_plan *plan, struct lit_fragments *f, struct face_trace *trace,
+                            uint32_t extreme[LIT_GROUP]);
     bool (*trace)(const struct vertex_plan *plan, struct vertex_batch *batch, struct vertex_trace *trace);
     void (*emit)(const struct emit_plan *plan, const struct vertex_batch *batch, void *record, void *clip);
     void (*emit_positions)(const struct emit_plan *plan, const struct vertex_batch *batch, void *record, void *clip);
