@@ -198,10 +198,14 @@ static void fill_lit(struct explain_detail *d, const struct vertex_trace *lit)
     d->lit = true;
     at->trace = *lit;
     at->weight = 1;
-    for (int i = 0; i < d->n; i++)
+    for (int i = 0; i < d->n; i++) {
+        const struct explain_vertex *v = &d->vertex[i];
+        for (int c = 0; c < 3; c++)
+            at->normal[c] += (float)(v->weight * (double)v->normal[c]);
         for (int m = 0; m < MAT_COUNT; m++)
             for (int c = 0; c < 4; c++)
-                at->material[m][c] += (float)(d->vertex[i].weight * (double)d->vertex[i].material[m][c]);
+                at->material[m][c] += (float)(v->weight * (double)v->material[m][c]);
+    }
     memcpy(at->color, d->event.fragment.interpolated, sizeof at->color);
     for (int c = 0; c < 3; c++)
         at->secondary[c] = fgl_clamp01((float)face->specular_sum[c]);
