@@ -41,6 +41,7 @@ static void place(struct context *ctx, int attr, unsigned types, GLint size, GLe
     a->size = size;
     a->type = type;
     a->stride = stride;
+    a->count = 0;
     a->pointer = pointer;
     fgl_buffer_refer(&a->buffer, ctx->client.arrays.array_buffer);
 }
@@ -95,6 +96,51 @@ void fgl_exec_SecondaryColorPointer(struct context *ctx, GLint size, GLenum type
     place(ctx, ATTR_SECONDARY_COLOR, BYTE | UBYTE | SHORT | USHORT | INT | UINT | FLOAT | DOUBLE, size, type, stride,
           pointer);
 }
+
+/* ---- GL_EXT_vertex_array: the same with the number of elements, which is only kept ---- */
+
+#define PLACE_EXT(ctx, count, attr, call)                                                                    \
+    do {                                                                                                     \
+        RETURN_ERROR_IF(ctx, (count) < 0, GL_INVALID_VALUE);                                                 \
+        call;                                                                                                \
+        (ctx)->client.arrays.array[attr].count = (count);                                                    \
+    } while (0)
+
+void fgl_exec_VertexPointerEXT(struct context *ctx, GLint size, GLenum type, GLsizei stride, GLsizei count,
+                               const GLvoid *pointer)
+{
+    PLACE_EXT(ctx, count, ATTR_POSITION, fgl_exec_VertexPointer(ctx, size, type, stride, pointer));
+}
+
+void fgl_exec_NormalPointerEXT(struct context *ctx, GLenum type, GLsizei stride, GLsizei count, const GLvoid *pointer)
+{
+    PLACE_EXT(ctx, count, ATTR_NORMAL, fgl_exec_NormalPointer(ctx, type, stride, pointer));
+}
+
+void fgl_exec_ColorPointerEXT(struct context *ctx, GLint size, GLenum type, GLsizei stride, GLsizei count,
+                              const GLvoid *pointer)
+{
+    PLACE_EXT(ctx, count, ATTR_COLOR, fgl_exec_ColorPointer(ctx, size, type, stride, pointer));
+}
+
+void fgl_exec_IndexPointerEXT(struct context *ctx, GLenum type, GLsizei stride, GLsizei count, const GLvoid *pointer)
+{
+    PLACE_EXT(ctx, count, ATTR_INDEX, fgl_exec_IndexPointer(ctx, type, stride, pointer));
+}
+
+void fgl_exec_TexCoordPointerEXT(struct context *ctx, GLint size, GLenum type, GLsizei stride, GLsizei count,
+                                 const GLvoid *pointer)
+{
+    PLACE_EXT(ctx, count, ATTR_TEX0 + ctx->client.arrays.client_active_texture,
+              fgl_exec_TexCoordPointer(ctx, size, type, stride, pointer));
+}
+
+void fgl_exec_EdgeFlagPointerEXT(struct context *ctx, GLsizei stride, GLsizei count, const GLboolean *pointer)
+{
+    PLACE_EXT(ctx, count, ATTR_EDGE_FLAG, fgl_exec_EdgeFlagPointer(ctx, stride, pointer));
+}
+
+/* ---- enabling ---- */
 
 static struct vertex_array *find_array(struct context *ctx, GLenum array)
 {

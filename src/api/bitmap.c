@@ -92,7 +92,8 @@ void GLAPIENTRY glBitmap(GLsizei width, GLsizei height, GLfloat xorig, GLfloat y
     struct context *ctx = fgl_current;
     if (!ctx)
         return;
-    RETURN_ERROR_IF(ctx, ctx->begin_mode != OUTSIDE_BEGIN_END, GL_INVALID_OPERATION);
+    if (fgl_refused_inside(ctx))
+        return;
     if (width < 0 || height < 0) {
         fgl_command_error(ctx, GL_INVALID_VALUE);
         return;

@@ -23,6 +23,11 @@ void GLAPIENTRY glArrayElement(GLint i)
     fgl_array_element(ctx, &source, (uint32_t)i, false);
 }
 
+void GLAPIENTRY glArrayElementEXT(GLint i)
+{
+    glArrayElement(i);
+}
+
 static uint32_t element(GLenum type, const void *indices, int i)
 {
     switch (type) {
@@ -32,13 +37,14 @@ static uint32_t element(GLenum type, const void *indices, int i)
     }
 }
 
-/* While a list is compiled, arrays are dereferenced now (GL 1.5, 5.4): as Begin, vertices, End. */
+/* While a list is compiled, arrays are dereferenced now (GL 1.5, 5.4): as Begin, vertices, End; those two also without vertices, since the
+ * list may be called where a draw is an error. */
 static void compile_elements(struct context *ctx, GLenum mode, int first, int count, GLenum type, const void *indices)
 {
     struct vertex_source source;
     fgl_array_source(ctx, &source);
     if (!(source.varying & (1u << ATTR_POSITION)))
-        return;
+        count = 0;
     fgl_begin(ctx, mode);
     for (int i = 0; i < count; i++)
         fgl_array_element(ctx, &source, indices ? element(type, indices, i) : (uint32_t)(first + i), false);
@@ -48,9 +54,9 @@ static void compile_elements(struct context *ctx, GLenum mode, int first, int co
 /* Errors of all draws; false when one was raised. */
 static bool check_draw(struct context *ctx, GLenum mode, GLsizei count)
 {
-    if (ctx->vertices->mode <= GL_POLYGON)
-        fgl_error(ctx, GL_INVALID_OPERATION);
-    else if (mode > GL_POLYGON)
+    if (fgl_refused_inside(ctx))
+        return false;
+    if (mode > GL_POLYGON)
         fgl_command_error(ctx, GL_INVALID_ENUM);
     else if (count < 0)
         fgl_command_error(ctx, GL_INVALID_VALUE);

@@ -311,7 +311,8 @@ void GLAPIENTRY glDrawPixels(GLsizei width, GLsizei height, GLenum format, GLenu
     struct context *ctx = fgl_current;
     if (!ctx)
         return;
-    RETURN_ERROR_IF(ctx, ctx->begin_mode != OUTSIDE_BEGIN_END, GL_INVALID_OPERATION);
+    if (fgl_refused_inside(ctx))
+        return;
     const GLenum error = draw_pixels_error(ctx, width, height, format, type);
     if (error) {
         fgl_command_error(ctx, error);

@@ -1,4 +1,5 @@
-/* Capabilities: glEnable, glDisable, glIsEnabled. Which there are: the CAP rows of state_table.def. */
+/* Capabilities: glEnable, glDisable, glIsEnabled. Which there are: the CAP rows of state_table.def, and vertex arrays, which were capabilities in
+ * GL_EXT_vertex_array. */
 #include "api/enable.h"
 
 #include "api/command.h"
@@ -26,13 +27,25 @@ static void set(struct context *ctx, GLenum cap, bool on)
     fgl_enable_set(ctx, row, on);
 }
 
+static bool is_array(GLenum cap)
+{
+    const struct state_row *row = fgl_state_row(cap);
+    return row && row->kind == STATE_ARRAY;
+}
+
 void fgl_exec_Enable(struct context *ctx, GLenum cap)
 {
-    set(ctx, cap, true);
+    if (is_array(cap))
+        fgl_exec_EnableClientState(ctx, cap);
+    else
+        set(ctx, cap, true);
 }
 void fgl_exec_Disable(struct context *ctx, GLenum cap)
 {
-    set(ctx, cap, false);
+    if (is_array(cap))
+        fgl_exec_DisableClientState(ctx, cap);
+    else
+        set(ctx, cap, false);
 }
 
 GLboolean fgl_exec_IsEnabled(struct context *ctx, GLenum cap)

@@ -9,13 +9,20 @@
 
 #define INSIDE(ctx) FGL_UNLIKELY((ctx)->begin_mode != OUTSIDE_BEGIN_END)
 
+/* Of the commands that may be compiled. */
+#define RETURN_IF_REFUSED(ctx)                                                                               \
+    do {                                                                                                     \
+        if (FGL_UNLIKELY(INSIDE(ctx) || (ctx)->compiling) && fgl_refused_inside(ctx))                        \
+            return;                                                                                          \
+    } while (0)
+
 #define CMD_LIST(name, ...)                                                                                  \
     void GLAPIENTRY gl##name(FGL_LIST(FGL_PARAM, __VA_ARGS__))                                               \
     {                                                                                                        \
         struct context *ctx = fgl_current;                                                                   \
         if (!ctx)                                                                                            \
             return;                                                                                          \
-        RETURN_ERROR_IF(ctx, INSIDE(ctx), GL_INVALID_OPERATION);                                             \
+        RETURN_IF_REFUSED(ctx);                                                                              \
         if (FGL_UNLIKELY(ctx->compiling)) {                                                                  \
             struct node_##name *node = fgl_list_record(ctx, OP_##name, sizeof *node);                        \
             if (node)                                                                                        \
@@ -38,7 +45,7 @@
         struct context *ctx = fgl_current;                                                                   \
         if (!ctx)                                                                                            \
             return;                                                                                          \
-        RETURN_ERROR_IF(ctx, INSIDE(ctx), GL_INVALID_OPERATION);                                             \
+        RETURN_IF_REFUSED(ctx);                                                                              \
         if (FGL_UNLIKELY(ctx->compiling)) {                                                                  \
             const size_t head = FGL_ALIGN8(sizeof(struct node_##name));                                      \
             const size_t bytes = (size_t)(count) * sizeof(type);                                             \
@@ -60,7 +67,7 @@
         struct context *ctx = fgl_current;                                                                   \
         if (!ctx)                                                                                            \
             return;                                                                                          \
-        RETURN_ERROR_IF(ctx, INSIDE(ctx), GL_INVALID_OPERATION);                                             \
+        RETURN_IF_REFUSED(ctx);                                                                              \
         if (FGL_UNLIKELY(ctx->compiling)) {                                                                  \
             fgl_list_record(ctx, OP_##name, 0);                                                              \
             if (ctx->compiling == GL_COMPILE)                                                                \

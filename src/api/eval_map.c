@@ -115,8 +115,7 @@ static void fill_node(struct map_node *node, const struct map_call *c, int dim)
 void fgl_map_replay(struct context *ctx, void *payload)
 {
     const struct map_node *node = payload;
-    RETURN_ERROR_IF(ctx, ctx->begin_mode != OUTSIDE_BEGIN_END || ctx->s.texture.active_texture != 0,
-                    GL_INVALID_OPERATION);
+    RETURN_ERROR_IF(ctx, ctx->s.texture.active_texture != 0, GL_INVALID_OPERATION);
     struct eval_maps *maps = fgl_eval_maps(ctx);
     const int size = kinds[node->map].size;
     const size_t bytes = (size_t)node->order[0] * (size_t)node->order[1] * (size_t)size * sizeof(float);
@@ -139,7 +138,8 @@ static void map(int dim, const struct map_call *c)
     struct context *ctx = fgl_current;
     if (!ctx)
         return;
-    RETURN_ERROR_IF(ctx, ctx->begin_mode != OUTSIDE_BEGIN_END, GL_INVALID_OPERATION);
+    if (fgl_refused_inside(ctx))
+        return;
     const GLenum error = check(c, dim);
     if (error) {
         fgl_command_error(ctx, error);

@@ -368,8 +368,10 @@ void fgl_vertex(struct context *ctx, int size, const float *v)
 void fgl_begin(struct context *ctx, GLenum mode)
 {
     struct immediate *im = ctx->vertices;
-    if (im->mode == CONTINUED_PRIMITIVE) /* a Begin inside the caller's primitive: an error when executed */
-        fgl_end(ctx);
+    if (im->mode == CONTINUED_PRIMITIVE) { /* a Begin inside the caller's primitive: an error when executed, which does not end that */
+        struct immediate_prim *continued = &im->prim[im->prim_count - 1];
+        continued->count = im->count - continued->first;
+    }
     if (im->format.floats && !im->format.size[ATTR_POSITION] && !im->compiling)
         empty_format(ctx, im);
     if (im->prim_count == IMMEDIATE_MAX_PRIMS)
@@ -408,9 +410,12 @@ void GLAPIENTRY glBegin(GLenum mode)
     struct context *ctx = fgl_current;
     if (!ctx)
         return;
-    RETURN_ERROR_IF(ctx, ctx->vertices->mode <= GL_POLYGON, GL_INVALID_OPERATION);
-    RETURN_ERROR_IF(ctx, mode > GL_POLYGON, GL_INVALID_ENUM);
-    fgl_begin(ctx, mode);
+    if (ctx->vertices->mode <= GL_POLYGON)
+        fgl_command_error(ctx, GL_INVALID_OPERATION);
+    else if (mode > GL_POLYGON)
+        fgl_command_error(ctx, GL_INVALID_ENUM);
+    else
+        fgl_begin(ctx, mode);
 }
 
 void GLAPIENTRY glEnd(void)

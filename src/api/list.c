@@ -151,6 +151,14 @@ void fgl_command_error(struct context *ctx, GLenum error)
         fgl_error(ctx, error);
 }
 
+bool fgl_refused_inside(struct context *ctx)
+{
+    if (ctx->begin_mode == OUTSIDE_BEGIN_END && (!ctx->compiling || ctx->vertices->mode > GL_POLYGON))
+        return false;
+    fgl_command_error(ctx, GL_INVALID_OPERATION);
+    return true;
+}
+
 /* ---- NewList, EndList ---- */
 
 static bool begin_list(struct context *ctx, GLuint name)
@@ -195,6 +203,8 @@ void GLAPIENTRY glEndList(void)
     RETURN_ERROR_IF(ctx, ctx->begin_mode != OUTSIDE_BEGIN_END, GL_INVALID_OPERATION);
     RETURN_ERROR_IF(ctx, !ctx->compiling, GL_INVALID_OPERATION);
     struct list_compiler *c = ctx->list;
+    if (ctx->compiling == GL_COMPILE_AND_EXECUTE && c->vertices->mode <= GL_POLYGON)
+        fgl_error(ctx, GL_INVALID_OPERATION); /* OSMesa rule: the list ends all the same */
     if (c->vertices->mode != OUTSIDE_BEGIN_END) { /* the primitive goes on after the list */
         fgl_immediate_flush(ctx, c->vertices);
         c->vertices->mode = OUTSIDE_BEGIN_END;
@@ -245,9 +255,19 @@ struct attribute_node {
     float v[4];
 };
 
+/* Commands that may stand between Begin and End (GL 1.5, 2.6.3), or raise their errors themselves. */
+static bool is_allowed_inside(uint32_t op)
+{
+    switch (op) {
+    case OP_END_OF_LIST: case OP_VERTICES: case OP_ATTRIBUTE: case OP_CALL_LIST: case OP_CALL_LISTS: case OP_EVAL: case OP_ERROR: return true;
+    default: return false;
+    }
+}
+
 static void execute_node(struct context *ctx, struct node *node)
 {
     void *payload = node + 1;
+    RETURN_ERROR_IF(ctx, ctx->begin_mode != OUTSIDE_BEGIN_END && !is_allowed_inside(node->op), GL_INVALID_OPERATION);
     switch (node->op) {
     case OP_END_OF_LIST: break;
     case OP_VERTICES: fgl_list_replay_vertices(ctx, payload); break;

@@ -41,6 +41,10 @@ static inline void fgl_list_resume(struct context *ctx, struct list_pause pause)
 /* Raises an error of a command that may be compiled: now, or, while compiling, when the list is executed. */
 void fgl_command_error(struct context *ctx, GLenum error);
 
+/* For commands that may be compiled but not stand between Begin and End (GL 1.5, 2.6.3): whether this one does, there or in the list that is
+ * being compiled. Its error is then raised, as fgl_command_error does. */
+bool fgl_refused_inside(struct context *ctx);
+
 /* The generated part of replay: executes the node of a command of command.def. */
 void fgl_list_replay_command(struct context *ctx, enum fgl_opcode op, void *payload);
 void fgl_list_replay_vertices(struct context *ctx, void *payload);

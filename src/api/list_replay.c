@@ -33,7 +33,6 @@
 
 void fgl_list_replay_command(struct context *ctx, enum fgl_opcode op, void *payload)
 {
-    RETURN_ERROR_IF(ctx, ctx->begin_mode != OUTSIDE_BEGIN_END, GL_INVALID_OPERATION);
     switch (op) {
 #include "api/command.def"
     default: assert(false); break; /* every opcode without a case of its own in list.c has one here */

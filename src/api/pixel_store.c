@@ -103,7 +103,8 @@ void GLAPIENTRY glPolygonStipple(const GLubyte *mask)
     struct context *ctx = fgl_current;
     if (!ctx)
         return;
-    RETURN_ERROR_IF(ctx, ctx->begin_mode != OUTSIDE_BEGIN_END, GL_INVALID_OPERATION);
+    if (fgl_refused_inside(ctx))
+        return;
 
     uint32_t row[32];
     unpack_stipple(&ctx->client.unpack, mask, row);

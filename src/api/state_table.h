@@ -8,7 +8,7 @@
 enum state_kind {
     STATE_BOOL,
     STATE_BIT,   /* a bit of an unsigned field; its number is the row's `bit` */
-    STATE_ARRAY, /* a bool that glIsEnabled knows but glEnable does not */
+    STATE_ARRAY, /* whether a vertex array is enabled */
     STATE_INT,   /* also enumerants */
     STATE_MASK,  /* unsigned */
     STATE_USHORT,

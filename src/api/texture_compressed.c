@@ -12,7 +12,8 @@ static void refuse_image(void)
     struct context *ctx = fgl_current;
     if (!ctx)
         return;
-    RETURN_ERROR_IF(ctx, ctx->begin_mode != OUTSIDE_BEGIN_END, GL_INVALID_OPERATION);
+    if (fgl_refused_inside(ctx))
+        return;
     fgl_command_error(ctx, GL_INVALID_ENUM);
 }
 

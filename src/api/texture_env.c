@@ -32,7 +32,9 @@ static bool is_combine(GLenum v, bool alpha)
     case GL_INTERPOLATE:
     case GL_SUBTRACT: return true;
     case GL_DOT3_RGB:
-    case GL_DOT3_RGBA: return !alpha;
+    case GL_DOT3_RGBA:
+    case GL_DOT3_RGB_EXT:
+    case GL_DOT3_RGBA_EXT: return !alpha;
     default: return false;
     }
 }

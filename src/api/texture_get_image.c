@@ -53,7 +53,7 @@ void fgl_exec_GetTexImage(struct context *ctx, GLenum target, GLint level, GLenu
     const struct texture_image *image = fgl_target_image(ctx, &t, level);
     const GLenum error = format_error(image, format, type);
     RETURN_ERROR_IF(ctx, error, error);
-    if (!image->texels)
+    if (!image->texels || !pixels)
         return;
     const struct pixel_store *store = &ctx->client.pack;
     const struct pixel_image whole = fgl_pixel_image(store, format, type, image->width, pixels);

@@ -265,7 +265,6 @@ void fgl_list_replay_texture_image(struct context *ctx, const void *payload)
 {
     const struct texture_node *node = payload;
     const struct pixel_source source = {&fgl_packed_store, node->has_pixels ? node->pixels : NULL};
-    RETURN_ERROR_IF(ctx, ctx->begin_mode != OUTSIDE_BEGIN_END, GL_INVALID_OPERATION);
     execute(ctx, &node->call, &source);
 }
 
@@ -276,7 +275,8 @@ static void command(const struct texture_call *call, const void *pixels)
     struct image_target t;
     if (!ctx)
         return;
-    RETURN_ERROR_IF(ctx, ctx->begin_mode != OUTSIDE_BEGIN_END, GL_INVALID_OPERATION);
+    if (fgl_refused_inside(ctx))
+        return;
     const bool proxy = fgl_image_target(call->target, 0, &t) && t.proxy;
     if (ctx->compiling && !proxy)
         record(ctx, call, pixels);

@@ -88,7 +88,6 @@ struct prioritize_node {
 void fgl_list_replay_prioritize(struct context *ctx, const void *payload)
 {
     const struct prioritize_node *node = payload;
-    RETURN_ERROR_IF(ctx, ctx->begin_mode != OUTSIDE_BEGIN_END, GL_INVALID_OPERATION);
     prioritize(ctx, 1, &node->texture, &node->priority);
 }
 
@@ -97,7 +96,8 @@ void GLAPIENTRY glPrioritizeTextures(GLsizei n, const GLuint *textures, const GL
     struct context *ctx = fgl_current;
     if (!ctx)
         return;
-    RETURN_ERROR_IF(ctx, ctx->begin_mode != OUTSIDE_BEGIN_END, GL_INVALID_OPERATION);
+    if (fgl_refused_inside(ctx))
+        return;
     if (n < 0) {
         fgl_command_error(ctx, GL_INVALID_VALUE);
         return;

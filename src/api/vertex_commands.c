@@ -190,7 +190,8 @@ static void rect(float x1, float y1, float x2, float y2)
     struct context *ctx = fgl_current;
     if (!ctx)
         return;
-    RETURN_ERROR_IF(ctx, ctx->vertices->mode <= GL_POLYGON, GL_INVALID_OPERATION);
+    if (fgl_refused_inside(ctx))
+        return;
     fgl_begin(ctx, GL_QUADS);
     const float corner[4][2] = {{x1, y1}, {x2, y1}, {x2, y2}, {x1, y2}};
     for (int i = 0; i < 4; i++)

@@ -167,6 +167,18 @@ static void derive_simple(struct texture_environment *to, GLenum mode, GLenum ba
         set_combine(&to->alpha, GL_REPLACE, GL_PREVIOUS, GL_PREVIOUS, GL_SRC_ALPHA);
 }
 
+/* The dot products of GL_EXT_texture_env_dot3: those of OpenGL 1.3 but without scales. */
+static void derive_dot3_ext(struct texture_environment *to)
+{
+    if (to->rgb.function != GL_DOT3_RGB_EXT && to->rgb.function != GL_DOT3_RGBA_EXT)
+        return;
+    const bool rgba = to->rgb.function == GL_DOT3_RGBA_EXT;
+    to->rgb.function = rgba ? GL_DOT3_RGBA : GL_DOT3_RGB;
+    to->rgb.scale = 1.0f;
+    if (rgba)
+        to->alpha.scale = 1.0f;
+}
+
 static void derive_combine(struct texture_environment *to, const struct texture_env *e)
 {
     to->rgb = (struct combine){.function = e->combine_rgb, .scale = e->rgb_scale};
@@ -177,6 +189,7 @@ static void derive_combine(struct texture_environment *to, const struct texture_
         to->alpha.source[i] = e->source_alpha[i];
         to->alpha.operand[i] = e->operand_alpha[i];
     }
+    derive_dot3_ext(to);
 }
 
 static GLenum environment_format(const struct sampler *sampler, GLenum base)

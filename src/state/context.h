@@ -264,6 +264,7 @@ struct vertex_array {
     GLenum type;
     int size;   /* components */
     int stride; /* bytes, as given: 0 means tightly packed */
+    int count;  /* elements, as GL_EXT_vertex_array's commands say; else 0. Nothing depends on it. */
     bool enabled;
 };
 

@@ -55,6 +55,10 @@ static void enables(void **state)
             assert_int_equal(glIsEnabled(arrays[k]), i == k);
         glDisableClientState(arrays[i]);
         assert_false(glIsEnabled(arrays[i]));
+        glEnable(arrays[i]); /* GL_EXT_vertex_array */
+        assert_true(glIsEnabled(arrays[i]));
+        glDisable(arrays[i]);
+        assert_false(glIsEnabled(arrays[i]));
     }
     assert_int_equal(glGetError(), GL_NO_ERROR);
 }
@@ -104,6 +108,26 @@ static const struct layout {
         {GL_T4F_C4F_N3F_V4F, 4, 4, 3, 4, GL_FLOAT, 16, 32, 44, 60},
 };
 
+static void counted_pointers(void **state)
+{
+    (void)state;
+    glVertexPointerEXT(2, GL_SHORT, 20, 5, memory + 1);
+    glTexCoordPointerEXT(1, GL_DOUBLE, 24, 6, memory + 5);
+    glEdgeFlagPointerEXT(25, 7, (const GLboolean *)memory + 6);
+    assert_int_equal(glGetError(), GL_NO_ERROR);
+    EXPECT_INTS(GL_VERTEX_ARRAY_SIZE, 2);
+    EXPECT_INTS(GL_VERTEX_ARRAY_STRIDE, 20);
+    assert_int_equal(offset_of(GL_VERTEX_ARRAY_POINTER_EXT), 1);
+    assert_int_equal(offset_of(GL_TEXTURE_COORD_ARRAY_POINTER_EXT), 5);
+    assert_int_equal(offset_of(GL_EDGE_FLAG_ARRAY_POINTER_EXT), 6);
+    if (on_fixedgl()) { /* OSMesa says 0 */
+        EXPECT_INTS(GL_VERTEX_ARRAY_COUNT_EXT, 5);
+        EXPECT_INTS(GL_TEXTURE_COORD_ARRAY_COUNT_EXT, 6);
+        EXPECT_INTS(GL_EDGE_FLAG_ARRAY_COUNT_EXT, 7);
+        EXPECT_ERROR(GL_INVALID_VALUE, glNormalPointerEXT(GL_FLOAT, 0, -1, memory));
+    }
+}
+
 static void interleaved(void **state)
 {
     (void)state;
@@ -142,6 +166,6 @@ static void interleaved(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {GL_TEST(pointers), GL_TEST(enables), GL_TEST(types),
-                                       GL_TEST(interleaved)};
+                                       GL_TEST(counted_pointers), GL_TEST(interleaved)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

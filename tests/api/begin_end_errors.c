@@ -153,6 +153,74 @@ static void get_error_inside(void **state)
     assert_int_equal(glGetError(), GL_NO_ERROR);
 }
 
+/* The same in display lists, where the errors come when they are executed (GL 1.5, 5.4). */
+static GLuint compiled(void (*commands)(void))
+{
+    const GLuint list = glGenLists(1);
+    glNewList(list, GL_COMPILE);
+    commands();
+    glEndList();
+    assert_int_equal(glGetError(), GL_NO_ERROR);
+    return list;
+}
+
+static void cull(void)
+{
+    glCullFace(GL_FRONT);
+}
+static void bitmap(void)
+{
+    glBitmap(1, 1, 0, 0, 0, 0, memory.bytes);
+}
+static void rectangle(void)
+{
+    glVertex2f(0, 0);
+    glRectf(0, 0, 1, 1);
+}
+static void arrays(void)
+{
+    glDrawArrays(GL_QUADS, 0, 4);
+}
+
+static void refused(void (*commands)(void))
+{
+    const GLuint list = compiled(commands);
+    glBegin(GL_QUADS);
+    glCallList(list);
+    glEnd();
+    assert_int_equal(glGetError(), GL_INVALID_OPERATION);
+    EXPECT_ERROR(GL_NO_ERROR, glBegin(GL_QUADS); glEnd()); /* the list has not ended the caller's primitive, nor begun one */
+
+    const GLuint around = glGenLists(1);
+    glNewList(around, GL_COMPILE_AND_EXECUTE);
+    glBegin(GL_QUADS);
+    commands();
+    glEnd();
+    glEndList();
+    assert_int_equal(glGetError(), GL_INVALID_OPERATION);
+    glCallList(around);
+    assert_int_equal(glGetError(), GL_INVALID_OPERATION);
+}
+
+static void lists_inside(void **state)
+{
+    (void)state;
+    refused(cull);
+    refused(bitmap);
+    refused(rectangle);
+    refused(arrays);
+    GLint face;
+    glGetIntegerv(GL_CULL_FACE_MODE, &face);
+    assert_int_equal(face, GL_BACK);
+    compiled(rectangle); /* is no error while it is compiled */
+    glNewList(1, GL_COMPILE_AND_EXECUTE);
+    glBegin(GL_POLYGON + 100);
+    glEnd();
+    glEndList();
+    assert_int_equal(glGetError(), GL_INVALID_ENUM);
+    EXPECT_ERROR(GL_INVALID_ENUM, glCallList(1));
+}
+
 static void end_without_begin(void **state)
 {
     (void)state;
@@ -166,6 +234,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
             GL_TEST(every_generated_command), GL_TEST(commands_written_by_hand), GL_TEST(allowed_commands),
             GL_TEST(get_error_inside),        GL_TEST(end_without_begin),
+            GL_TEST(lists_inside),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -181,8 +181,7 @@ static void capabilities_and_queries(void **state)
     REFUSED(GL_INVALID_ENUM, glGetPointerv(BAD, &p));
     assert_ptr_equal(p, n);
     REFUSED(GL_INVALID_ENUM, assert_null(glGetString(BAD)));
-    if (on_fixedgl()) { /* OSMesa knows them as capabilities too */
-        REFUSED(GL_INVALID_ENUM, glEnable(GL_VERTEX_ARRAY));
+    if (on_fixedgl()) {
         REFUSED(GL_INVALID_ENUM, fixedglAccuracy(3));
         REFUSED(GL_INVALID_ENUM, fixedglAccuracy(0));
         REFUSED(GL_INVALID_ENUM, glHint(GL_LIGHTING_ACCURACY_HINT_FIXEDGL, GL_TRUE));
