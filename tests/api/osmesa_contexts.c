@@ -129,6 +129,9 @@ static void test_proc_address(void **state)
 #define CMD_GET(type, Name, ...) check_address("gl" #Name);
 #define CMD_GET0(type, Name) check_address("gl" #Name);
 #define CMD_HAND(Name) check_address("gl" #Name);
+#define CMD_ALIAS(Name, ...) check_address("gl" #Name);
+#define CMD_ALIAS0(Name, ...) check_address("gl" #Name);
+#define CMD_ALIAS_GET(type, Name, ...) check_address("gl" #Name);
 #include "api/command.def"
     check_address("OSMesaMakeCurrent");
     check_address("OSMesaGetProcAddress");
