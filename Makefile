@@ -152,7 +152,7 @@ test-programs: all $(TEST_PROGRAMS) $(FUZZ)
 
 # One compiler's whole run.
 check: test-programs
-	BUILD=$(BUILD) CC=$(CC) tests/run $(TEST_PROGRAMS)
+	BUILD=$(BUILD) CC="$(CC)" tests/run $(TEST_PROGRAMS)
 
 test: deps
 	$(MAKE) -j$(JOBS) check CC=gcc BUILD=$(BUILD)

@@ -119,7 +119,8 @@ static void check_weights(const char *made, const char *fragment)
             sum[c] += weight * color[c];
     }
     assert_true(numbers(fragment, "interpolated", interpolated, 4));
-    assert_true(fabs(total - 1) < 1e-3);
+    if (fabs(total - 1) >= 1e-3)
+        fail_msg("weights sum to %g: %s", total, made);
     for (int c = 0; c < 4; c++)
         assert_true(fabs(sum[c] - interpolated[c]) < 2e-3);
 }
