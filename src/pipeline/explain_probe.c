@@ -126,18 +126,23 @@ static void assemble(struct probe *probe, const uint32_t *elements, bool compile
     p->one_by_one = false;
 }
 
-/* Records of position and colour only, where the drawn primitive's vertices are red, green and blue and all
- * others black. */
+/* Records of position and colour, and of the point's size if it differs by vertex, where the drawn primitive's
+ * vertices are red, green and blue and all others black. */
 static unsigned char *make_weight_records(const struct probe *probe, const struct emit_plan *emit, int n)
 {
     const struct pipeline *p = probe->p;
-    const size_t lane = emit->record_bytes / LANE_SECONDARY;
+    const size_t lane = emit->arith == ARITH_EXACT ? sizeof(double) : sizeof(float);
+    const size_t size_from = (size_t)p->plan.emit.size_lane * lane, size_to = (size_t)emit->size_lane * lane;
     unsigned char *record = calloc((size_t)n, emit->record_bytes);
     if (!record)
         return NULL;
-    for (int i = 0; i < n; i++)
-        memcpy(record + (size_t)i * emit->record_bytes, fgl_cache_record(&p->cache, &p->plan.emit, (uint32_t)i),
-               LANE_COLOR * lane);
+    for (int i = 0; i < n; i++) {
+        const unsigned char *drawn = fgl_cache_record(&p->cache, &p->plan.emit, (uint32_t)i);
+        unsigned char *v = record + (size_t)i * emit->record_bytes;
+        memcpy(v, drawn, LANE_COLOR * lane);
+        if (size_to)
+            memcpy(v + size_to, drawn + size_from, lane);
+    }
     for (int i = 0; i < probe->primitive.n; i++) {
         unsigned char *v = record + probe->primitive.vertex[i] * emit->record_bytes + (size_t)(LANE_COLOR + i) * lane;
         if (emit->arith == ARITH_EXACT)
@@ -153,7 +158,8 @@ static bool weigh(struct probe *probe, const uint32_t *elements, bool compiled, 
     struct pipeline *p = probe->p;
     const struct plan plan = p->plan;
     struct emit_plan emit = plan.emit;
-    fgl_emit_layout(&emit, emit.arith, LANE_SECONDARY);
+    emit.size_lane = plan.emit.size_lane ? LANE_SECONDARY : 0;
+    fgl_emit_layout(&emit, emit.arith, LANE_SECONDARY + (emit.size_lane ? LANE_GROUP : 0));
     unsigned char *const record = p->cache.record, *weights = make_weight_records(probe, &emit, n);
     if (!weights)
         return false;
@@ -161,10 +167,11 @@ static bool weigh(struct probe *probe, const uint32_t *elements, bool compiled, 
     probe->plan.has_secondary = false;
     p->cache.record = weights;
     p->plan.emit = emit;
-    p->plan.raster.stride = p->plan.raster.lanes = LANE_SECONDARY;
+    p->plan.raster.stride = emit.stride;
+    p->plan.raster.lanes = LANE_SECONDARY;
     p->plan.raster.two_sided = p->plan.raster.flat = p->plan.raster.secondary = false;
-    p->plan.raster.size_lane = p->plan.raster.face_lane = 0;
-    p->plan.raster.point_size = FGL_MAX_POINT_SIZE; /* the weights of a point are the same all over it */
+    p->plan.raster.size_lane = emit.size_lane;
+    p->plan.raster.face_lane = 0;
     assemble(probe, elements, compiled);
     p->cache.record = record;
     p->plan = plan;

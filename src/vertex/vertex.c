@@ -201,8 +201,10 @@ void fgl_vertex_shade(const struct vertex_plan *plan, struct vertex_batch *batch
 
 void fgl_vertex_trace(const struct vertex_plan *plan, struct vertex_batch *batch, struct vertex_trace *trace)
 {
-    if (fgl_vertex_kernels(plan->arith)->trace(plan, batch, trace) || (plan->exact.needed && plan->lighting))
-        (void)fgl_vertex_kernels(ARITH_EXACT)->trace(plan, batch, trace);
+    if (!fgl_vertex_kernels(plan->arith)->trace(plan, batch, trace) && !(plan->exact.needed && plan->lighting))
+        return;
+    (void)fgl_vertex_kernels(ARITH_EXACT)->trace(plan, batch, trace);
+    (plan->light_fragments ? round_lit : round_colors)(batch, 0);
 }
 
 /* Fragments too are lit in double where float is not safe. */

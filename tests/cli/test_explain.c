@@ -122,7 +122,8 @@ static void check_weights(const char *made, const char *fragment)
     if (fabs(total - 1) >= 1e-3)
         fail_msg("weights sum to %g: %s", total, made);
     for (int c = 0; c < 4; c++)
-        assert_true(fabs(sum[c] - interpolated[c]) < 2e-3);
+        if (fabs(sum[c] - interpolated[c]) >= 2e-3)
+            fail_msg("weighted colors sum to %g, not %g: %s", sum[c], interpolated[c], made);
 }
 
 /* The colour after the last stage rounds to the byte, where nothing is blended. */
@@ -131,12 +132,13 @@ static void check_rounding(const char *fragment, const double byte[4])
     double color[4];
     assert_true(numbers(fragment, "color", color, 4));
     for (int c = 0; c < 4; c++)
-        assert_true(byte[c] == nearbyint((color[c] < 0   ? 0
-                                          : color[c] > 1 ? 1
-                                                         : color[c]) *
-                                         255) ||
-                    fabs(fabs(color[c] * 255 - floor(color[c] * 255)) - 0.5) <
-                            1e-4); /* the tie is decided in floats */
+        if (!(byte[c] == nearbyint((color[c] < 0   ? 0
+                                    : color[c] > 1 ? 1
+                                                   : color[c]) *
+                                   255) ||
+              fabs(fabs(color[c] * 255 - floor(color[c] * 255)) - 0.5) <
+                      1e-4)) /* the tie is decided in floats */
+            fail_msg("component %d is drawn as %g: %s", c, byte[c], fragment);
 }
 
 /* The sum of every vertex is its start and what each light adds. */
