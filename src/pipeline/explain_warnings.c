@@ -110,38 +110,51 @@ static void check_normals(const struct server_state *s, struct explain_detail *d
                 "reversed, or the vertices' order?");
 }
 
+/* What was lit, n of them: the vertices, or the pixel itself. */
+static const struct explain_vertex *lit_points(const struct explain_detail *d, int *n)
+{
+    *n = d->lit ? 1 : d->n;
+    return d->lit ? &d->at : d->vertex;
+}
+
 static void check_light(struct explain_detail *d, int i)
 {
     const struct light_derived *light = &d->vertex_plan.light.light[i];
-    int behind = 0, outside = 0, faint = 0;
-    for (int k = 0; k < d->n; k++) {
-        const struct light_terms *t = &d->vertex[k].trace.face[face_of(d)].light[i];
+    int n, behind = 0, outside = 0, faint = 0;
+    const struct explain_vertex *v = lit_points(d, &n);
+    for (int k = 0; k < n; k++) {
+        const struct light_terms *t = &v[k].trace.face[face_of(d)].light[i];
         behind += t->n_dot_VP <= 0;
         outside += t->spot == 0;
         faint += t->attenuation < 1.0 / 255.0;
     }
-    if (outside == d->n)
-        warn(d, "GL_LIGHT%d: the polygon is outside of the spot's cone.", light->number);
-    else if (behind == d->n)
+    if (outside == n)
+        warn(d, "GL_LIGHT%d: %s is outside of the spot's cone.", light->number, d->lit ? "the pixel" : "the polygon");
+    else if (behind == n)
         warn(d,
              "GL_LIGHT%d is behind the surface (n.VP <= 0 at %s): the normals face away from it, and only "
              "its ambient term is left.",
-             light->number, d->n == 1 ? "the vertex" : "every vertex");
-    if (faint == d->n)
+             light->number, d->lit ? "the pixel" : n == 1 ? "the vertex" : "every vertex");
+    if (faint == n)
         warn(d, "GL_LIGHT%d is attenuated to less than 1/255 by its distance.", light->number);
 }
 
 static void check_clamping(struct explain_detail *d)
 {
     static const char *const channel[] = {"red", "green", "blue"};
-    for (int k = 0; k < d->n; k++)
+    int n;
+    const struct explain_vertex *v = lit_points(d, &n);
+    for (int k = 0; k < n; k++)
         for (int c = 0; c < 3; c++) {
-            const double sum = d->vertex[k].trace.face[face_of(d)].sum[c];
+            const double sum = v[k].trace.face[face_of(d)].sum[c];
             if (sum > 1.0) {
+                char where[32] = "the pixel";
+                if (!d->lit)
+                    snprintf(where, sizeof where, "vertex %d", k);
                 warn(d,
-                     "Value clamped: the sum of %s at vertex %d is %.3g, more than 1; details in brighter "
+                     "Value clamped: the sum of %s at %s is %.3g, more than 1; details in brighter "
                      "parts are lost.",
-                     channel[c], k, sum);
+                     channel[c], where, sum);
                 return;
             }
         }
