@@ -14,6 +14,8 @@ int fgl_count_texture(GLenum pname);
 int fgl_count_texture_env(GLenum pname);
 int fgl_count_texgen(GLenum pname);
 int fgl_count_pixel_map(GLsizei mapsize);
+int fgl_count_color_table(GLenum pname);
+int fgl_count_convolution(GLenum pname);
 
 #define CMD_LIST(name, ...) void fgl_exec_##name(struct context *ctx, FGL_LIST(FGL_PARAM, __VA_ARGS__));
 #define CMD_LISTV(name, type, count, ...) CMD_LIST(name, __VA_ARGS__)
@@ -41,6 +43,8 @@ enum fgl_opcode {
     OP_BITMAP,
     OP_DRAW_PIXELS,
     OP_TEXTURE_IMAGE,
+    OP_IMAGING_IMAGE, /* glColorTable, glConvolutionFilter1D, ... */
+    OP_HISTOGRAM,
     OP_PRIORITIZE_TEXTURE,
     OP_MAP,  /* glMap */
     OP_EVAL, /* glEvalCoord, glEvalPoint */

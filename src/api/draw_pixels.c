@@ -4,6 +4,7 @@
 #include "api/list.h"
 #include "api/pixel_image.h"
 #include "api/set.h"
+#include "framebuffer/imaging.h"
 #include "framebuffer/pixel_pack.h"
 #include "framebuffer/pixel_unpack.h"
 #include "pipeline/feedback.h"
@@ -238,6 +239,24 @@ static void draw_rectangle(struct context *ctx, int width, int height, const str
     free(r.source[0]);
 }
 
+/* Colours that imaging stages may change or discard, as an image of their own. */
+static void draw_imaged(struct context *ctx, int width, int height, const struct pixel_unpack *unpack, bool copied)
+{
+    struct color_image image;
+    RETURN_ERROR_IF(ctx, !fgl_imaging_unpack(ctx, unpack, width, height, 2, &image), GL_OUT_OF_MEMORY);
+    const struct pixel_unpack ready = fgl_color_image_unpack(&image, unpack);
+    if (image.width > 0 && image.height > 0)
+        draw_rectangle(ctx, image.width, image.height, &ready, copied);
+    free(image.color);
+}
+
+/* Whether the imaging stages apply: to RGBA groups alone (GL 1.5, 3.6.5). */
+static bool is_imaged(const struct context *ctx, const struct pixel_format *format)
+{
+    return (format->channel[0] <= CHANNEL_LUMINANCE || format->channel[0] == CHANNEL_INDEX) && !ctx->color_index &&
+           fgl_imaging_active(ctx);
+}
+
 /* ---- glDrawPixels ---- */
 
 /* The error of a format that asks for a buffer which the framebuffer does not have; colours cannot be drawn in
@@ -278,7 +297,10 @@ static void draw_image(struct context *ctx, int width, int height, GLenum format
             .maps = ctx->pixel_map,
             .arith = fgl_context_arith(ctx),
     };
-    draw_rectangle(ctx, width, height, &unpack, copied);
+    if (is_imaged(ctx, unpack.image.format))
+        draw_imaged(ctx, width, height, &unpack, copied);
+    else
+        draw_rectangle(ctx, width, height, &unpack, copied);
 }
 
 struct image_node {
@@ -354,12 +376,11 @@ static GLenum copied_type(const struct framebuffer *fb, GLenum type)
 static void *read_rectangle(const struct context *ctx, int x, int y, int width, int height, GLenum format,
                             GLenum type)
 {
-    static const struct pixel_mode_state no_transfer = {.scale = {1, 1, 1, 1}, .depth_scale = 1};
     const struct framebuffer *fb = ctx->framebuffer;
     void *pixels = calloc(1, fgl_pixel_image_bytes(&fgl_packed_store, format, type, width, height));
     const struct pixel_pack pack = {
             .image = fgl_pixel_image(&fgl_packed_store, format, type, width, pixels),
-            .mode = &no_transfer,
+            .mode = &fgl_no_transfer,
             .maps = ctx->pixel_map,
     };
     const int64_t right = (int64_t)x + width, top = (int64_t)y + height;

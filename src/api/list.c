@@ -2,6 +2,7 @@
 #include "api/errors.h"
 #include "api/eval.h"
 #include "api/eval_map.h"
+#include "api/imaging.h"
 #include "api/list.h"
 #include "api/material.h"
 #include "api/pixel_image.h"
@@ -287,6 +288,8 @@ static void execute_node(struct context *ctx, struct node *node)
     case OP_BITMAP: fgl_list_replay_bitmap(ctx, payload); break;
     case OP_DRAW_PIXELS: fgl_list_replay_draw_pixels(ctx, payload); break;
     case OP_TEXTURE_IMAGE: fgl_list_replay_texture_image(ctx, payload); break;
+    case OP_IMAGING_IMAGE: fgl_list_replay_imaging(ctx, payload); break;
+    case OP_HISTOGRAM: fgl_list_replay_histogram(ctx, payload); break;
     case OP_PRIORITIZE_TEXTURE: fgl_list_replay_prioritize(ctx, payload); break;
     case OP_POLYGON_STIPPLE: fgl_polygon_stipple_set(ctx, payload); break;
     case OP_MAP: fgl_map_replay(ctx, payload); break;

@@ -11,6 +11,7 @@ static struct matrix_stack *current_stack(struct context *ctx)
     switch (ctx->s.transform.matrix_mode) {
     case GL_PROJECTION: return &ctx->projection;
     case GL_TEXTURE: return &ctx->texture_matrix[ctx->s.texture.active_texture];
+    case GL_COLOR: return &ctx->color_matrix;
     default: return &ctx->modelview;
     }
 }
@@ -27,7 +28,7 @@ static struct matrix *change(struct context *ctx)
 
 void fgl_exec_MatrixMode(struct context *ctx, GLenum mode)
 {
-    RETURN_ERROR_IF(ctx, mode != GL_MODELVIEW && mode != GL_PROJECTION && mode != GL_TEXTURE,
+    RETURN_ERROR_IF(ctx, mode != GL_MODELVIEW && mode != GL_PROJECTION && mode != GL_TEXTURE && mode != GL_COLOR,
                     GL_INVALID_ENUM);
     ctx->s.transform.matrix_mode = mode;
 }

@@ -21,6 +21,22 @@ static float *find_float(struct pixel_mode_state *m, GLenum pname)
     case GL_ALPHA_BIAS: return &m->bias[3];
     case GL_DEPTH_SCALE: return &m->depth_scale;
     case GL_DEPTH_BIAS: return &m->depth_bias;
+    case GL_POST_CONVOLUTION_RED_SCALE: return &m->imaging.post_convolution.scale[0];
+    case GL_POST_CONVOLUTION_GREEN_SCALE: return &m->imaging.post_convolution.scale[1];
+    case GL_POST_CONVOLUTION_BLUE_SCALE: return &m->imaging.post_convolution.scale[2];
+    case GL_POST_CONVOLUTION_ALPHA_SCALE: return &m->imaging.post_convolution.scale[3];
+    case GL_POST_CONVOLUTION_RED_BIAS: return &m->imaging.post_convolution.bias[0];
+    case GL_POST_CONVOLUTION_GREEN_BIAS: return &m->imaging.post_convolution.bias[1];
+    case GL_POST_CONVOLUTION_BLUE_BIAS: return &m->imaging.post_convolution.bias[2];
+    case GL_POST_CONVOLUTION_ALPHA_BIAS: return &m->imaging.post_convolution.bias[3];
+    case GL_POST_COLOR_MATRIX_RED_SCALE: return &m->imaging.post_color_matrix.scale[0];
+    case GL_POST_COLOR_MATRIX_GREEN_SCALE: return &m->imaging.post_color_matrix.scale[1];
+    case GL_POST_COLOR_MATRIX_BLUE_SCALE: return &m->imaging.post_color_matrix.scale[2];
+    case GL_POST_COLOR_MATRIX_ALPHA_SCALE: return &m->imaging.post_color_matrix.scale[3];
+    case GL_POST_COLOR_MATRIX_RED_BIAS: return &m->imaging.post_color_matrix.bias[0];
+    case GL_POST_COLOR_MATRIX_GREEN_BIAS: return &m->imaging.post_color_matrix.bias[1];
+    case GL_POST_COLOR_MATRIX_BLUE_BIAS: return &m->imaging.post_color_matrix.bias[2];
+    case GL_POST_COLOR_MATRIX_ALPHA_BIAS: return &m->imaging.post_color_matrix.bias[3];
     default: return NULL;
     }
 }

@@ -1,7 +1,10 @@
 /* glReadPixels (GL 1.5, 4.3.2 "Reading Pixels"). */
 #include "api/command.h"
 #include "api/errors.h"
+#include "framebuffer/imaging.h"
 #include "framebuffer/pixel_pack.h"
+
+#include <stdlib.h>
 
 /* Whether the framebuffer has what the format asks for. */
 static bool buffer_exists(const struct context *ctx, GLenum format)
@@ -13,6 +16,25 @@ static bool buffer_exists(const struct context *ctx, GLenum format)
     case GL_COLOR_INDEX: return ctx->color_index && ctx->s.pixel_mode.read_buffer != GL_NONE;
     default: return ctx->s.pixel_mode.read_buffer != GL_NONE;
     }
+}
+
+/* Colours that imaging stages may change or discard: the whole rectangle, or what convolution leaves of it. */
+static void read_imaged(struct context *ctx, int x, int y, int width, int height, GLenum format, GLenum type, void *pixels)
+{
+    struct color_image image;
+    RETURN_ERROR_IF(ctx, !fgl_imaging_fetch(ctx, x, y, width, height, 2, &image), GL_OUT_OF_MEMORY);
+    const struct pixel_pack pack = {.image = fgl_pixel_image(&ctx->client.pack, format, type, image.width, pixels)};
+    const float *from = image.color;
+    struct color_row colors;
+    for (int row = 0; row < image.height; row++)
+        for (int column = 0; column < image.width; column += PIXEL_CHUNK) {
+            const int n = fgl_min(PIXEL_CHUNK, image.width - column);
+            for (int i = 0; i < n; i++, from += 4)
+                for (int c = 0; c < 4; c++)
+                    colors.channel[c][i] = from[c];
+            fgl_pack_transferred(&pack, &colors, n, row, column);
+        }
+    free(image.color);
 }
 
 /* Pixels outside the framebuffer are undefined: their memory stays as it was. */
@@ -27,6 +49,11 @@ void fgl_exec_ReadPixels(struct context *ctx, GLint x, GLint y, GLsizei width, G
         (void)fgl_matrix_class(fgl_matrix_top(&ctx->modelview));
     const struct framebuffer *fb = ctx->framebuffer;
     RETURN_ERROR_IF(ctx, !fb || !buffer_exists(ctx, format), GL_INVALID_OPERATION);
+
+    if (fgl_pixel_format(format)->channel[0] <= CHANNEL_LUMINANCE && fgl_imaging_active(ctx)) {
+        read_imaged(ctx, x, y, width, height, format, type, pixels);
+        return;
+    }
 
     const struct pixel_pack pack = {
             .image = fgl_pixel_image(&ctx->client.pack, format, type, width, pixels),

@@ -29,6 +29,11 @@ static void texture_matrix(const struct context *ctx, double *v)
     copy_matrix(&ctx->texture_matrix[ctx->s.texture.active_texture], v);
 }
 
+static void color_matrix(const struct context *ctx, double *v)
+{
+    copy_matrix(&ctx->color_matrix, v);
+}
+
 /* The hint that asks for the arithmetic in use. */
 static void lighting_accuracy_hint(const struct context *ctx, double *v)
 {
@@ -46,6 +51,11 @@ static void projection_depth(const struct context *ctx, double *v)
 static void texture_depth(const struct context *ctx, double *v)
 {
     *v = ctx->texture_matrix[ctx->s.texture.active_texture].top + 1;
+}
+
+static void color_matrix_depth(const struct context *ctx, double *v)
+{
+    *v = ctx->color_matrix.top + 1;
 }
 
 static void active_texture(const struct context *ctx, double *v)
@@ -125,6 +135,12 @@ static void transpose_projection_matrix(const struct context *ctx, double *v)
 static void transpose_texture_matrix(const struct context *ctx, double *v)
 {
     texture_matrix(ctx, v);
+    transpose(v);
+}
+
+static void transpose_color_matrix(const struct context *ctx, double *v)
+{
+    color_matrix(ctx, v);
     transpose(v);
 }
 

@@ -4,8 +4,11 @@
 #include "api/errors.h"
 #include "api/texture_image.h"
 #include "base/unorm.h"
+#include "framebuffer/imaging.h"
 #include "framebuffer/pixel_pack.h"
 #include "framebuffer/pixel_unpack.h"
+
+#include <stdlib.h>
 
 /* A rectangle of the framebuffer: window coordinates, y up. */
 struct source_rect {
@@ -79,12 +82,57 @@ static void copy(struct context *ctx, struct texture_image *image, struct source
                      to_z);
 }
 
+/* ---- through the imaging stages ---- */
+
+static void copy_image_row(struct texture_image *image, const float *from, int n, int to_x, int to_y, int to_z)
+{
+    float plane[4][PIXEL_CHUNK];
+    const float *const planes[4] = {plane[0], plane[1], plane[2], plane[3]};
+    for (int x = 0; x < n; x += PIXEL_CHUNK) {
+        const int count = fgl_min(PIXEL_CHUNK, n - x);
+        for (int i = 0; i < count; i++, from += 4)
+            for (int c = 0; c < 4; c++)
+                plane[c][i] = from[c];
+        fgl_texture_store_color(image, to_x + x, to_y, to_z, count, planes, ROUND_GIVEN);
+    }
+}
+
+/* `from` is the whole rectangle, of whose result the border is left out. A sink leaves nothing. */
+static void copy_imaged(struct context *ctx, struct texture_image *image, const struct texture_call *call, struct source_rect from)
+{
+    const int border = call->border, border_y = call->dimensions > 1 ? border : 0, width = call->width - 2 * border;
+    struct color_image pixels;
+    RETURN_ERROR_IF(ctx, !fgl_imaging_fetch(ctx, from.x, from.y, from.width, from.height, fgl_min(call->dimensions, 2), &pixels),
+                    GL_OUT_OF_MEMORY);
+    for (int y = border_y; y < pixels.height - border_y; y++)
+        copy_image_row(image, pixels.color + 4 * ((size_t)y * (size_t)pixels.width + (size_t)border), width, call->x,
+                       call->y + y - border_y, call->z);
+    free(pixels.color);
+}
+
+/* The sizes that convolution leaves of a rectangle of colours (GL 1.5, 3.6.5). */
+static void reduce(struct context *ctx, struct texture_call *call, GLenum internal_format)
+{
+    const struct texture_format *f = fgl_texture_format(internal_format);
+    if (f && f->kind != TEXELS_DEPTH)
+        fgl_convolved_size(ctx, fgl_min(call->dimensions, 2), &call->width, &call->height);
+}
+
+static bool is_imaged(const struct context *ctx, const struct texture_image *image)
+{
+    return image->kind != TEXELS_DEPTH && fgl_imaging_active(ctx);
+}
+
+/* ---- commands ---- */
+
 /* GL 1.5, 3.8.2: the formats of glTexImage but 1, 2, 3 and 4. */
-static void copy_image(struct context *ctx, const struct texture_call *call, int x, int y)
+static void copy_image(struct context *ctx, struct texture_call *call, int x, int y)
 {
     struct image_target t;
     bool too_large;
     const GLenum format = (GLenum)call->internal_format;
+    const struct source_rect from = {x, y, call->width, call->height};
+    reduce(ctx, call, format);
     RETURN_ERROR_IF(ctx, !fgl_image_target(call->target, call->dimensions, &t) || t.proxy, GL_INVALID_ENUM);
     RETURN_ERROR_IF(ctx, format <= 4 || !fgl_texture_format(format), GL_INVALID_ENUM);
     GLenum error = fgl_texture_define_error(call, &t, &too_large);
@@ -95,30 +143,38 @@ static void copy_image(struct context *ctx, const struct texture_call *call, int
     if (!fgl_texture_define(ctx, call, &t))
         return;
     const int border = call->border, border_y = call->dimensions > 1 ? border : 0;
-    copy(ctx, fgl_target_image(ctx, &t, call->level),
-         (struct source_rect){x + border, y + border_y, call->width - 2 * border, call->height - 2 * border_y}, 0, 0, 0);
+    struct texture_image *image = fgl_target_image(ctx, &t, call->level);
+    if (is_imaged(ctx, image))
+        copy_imaged(ctx, image, call, from);
+    else
+        copy(ctx, image, (struct source_rect){x + border, y + border_y, call->width - 2 * border, call->height - 2 * border_y}, 0, 0, 0);
     fgl_texture_after_change(ctx, &t, call->level);
 }
 
-static void copy_sub_image(struct context *ctx, const struct texture_call *call, int x, int y)
+static void copy_sub_image(struct context *ctx, struct texture_call *call, int x, int y)
 {
     struct image_target t;
+    const struct source_rect from = {x, y, call->width, call->height};
     RETURN_ERROR_IF(ctx, !fgl_image_target(call->target, call->dimensions, &t) || t.proxy, GL_INVALID_ENUM);
     RETURN_ERROR_IF(ctx, call->level < 0 || call->level >= fgl_texture_levels(t.target), GL_INVALID_VALUE);
     struct texture_image *image = fgl_target_image(ctx, &t, call->level);
+    reduce(ctx, call, image->internal_format);
     GLenum error = fgl_texture_part_error(call, image);
     RETURN_ERROR_IF(ctx, error, error);
     error = source_error(ctx, image->internal_format);
     RETURN_ERROR_IF(ctx, error, error);
     fgl_flush_vertices(ctx, DIRTY_TEXTURE);
-    copy(ctx, image, (struct source_rect){x, y, call->width, call->height}, call->x, call->y, call->z);
+    if (is_imaged(ctx, image))
+        copy_imaged(ctx, image, call, from);
+    else
+        copy(ctx, image, from, call->x, call->y, call->z);
     fgl_texture_after_change(ctx, &t, call->level);
 }
 
 void fgl_exec_CopyTexImage1D(struct context *ctx, GLenum target, GLint level, GLenum internalformat, GLint x, GLint y,
                              GLsizei width, GLint border)
 {
-    const struct texture_call call = {.dimensions = 1, .target = target, .level = level,
+    struct texture_call call = {.dimensions = 1, .target = target, .level = level,
                                       .internal_format = (int)internalformat, .border = border, .width = width,
                                       .height = 1, .depth = 1};
     copy_image(ctx, &call, x, y);
@@ -127,7 +183,7 @@ void fgl_exec_CopyTexImage1D(struct context *ctx, GLenum target, GLint level, GL
 void fgl_exec_CopyTexImage2D(struct context *ctx, GLenum target, GLint level, GLenum internalformat, GLint x, GLint y,
                              GLsizei width, GLsizei height, GLint border)
 {
-    const struct texture_call call = {.dimensions = 2, .target = target, .level = level,
+    struct texture_call call = {.dimensions = 2, .target = target, .level = level,
                                       .internal_format = (int)internalformat, .border = border, .width = width,
                                       .height = height, .depth = 1};
     copy_image(ctx, &call, x, y);
@@ -136,7 +192,7 @@ void fgl_exec_CopyTexImage2D(struct context *ctx, GLenum target, GLint level, GL
 void fgl_exec_CopyTexSubImage1D(struct context *ctx, GLenum target, GLint level, GLint xoffset, GLint x, GLint y,
                                 GLsizei width)
 {
-    const struct texture_call call = {.dimensions = 1, .target = target, .level = level, .x = xoffset, .width = width,
+    struct texture_call call = {.dimensions = 1, .target = target, .level = level, .x = xoffset, .width = width,
                                       .height = 1, .depth = 1};
     copy_sub_image(ctx, &call, x, y);
 }
@@ -144,7 +200,7 @@ void fgl_exec_CopyTexSubImage1D(struct context *ctx, GLenum target, GLint level,
 void fgl_exec_CopyTexSubImage2D(struct context *ctx, GLenum target, GLint level, GLint xoffset, GLint yoffset, GLint x,
                                 GLint y, GLsizei width, GLsizei height)
 {
-    const struct texture_call call = {.dimensions = 2, .target = target, .level = level, .x = xoffset, .y = yoffset,
+    struct texture_call call = {.dimensions = 2, .target = target, .level = level, .x = xoffset, .y = yoffset,
                                       .width = width, .height = height, .depth = 1};
     copy_sub_image(ctx, &call, x, y);
 }
@@ -152,7 +208,7 @@ void fgl_exec_CopyTexSubImage2D(struct context *ctx, GLenum target, GLint level,
 void fgl_exec_CopyTexSubImage3D(struct context *ctx, GLenum target, GLint level, GLint xoffset, GLint yoffset,
                                 GLint zoffset, GLint x, GLint y, GLsizei width, GLsizei height)
 {
-    const struct texture_call call = {.dimensions = 3, .target = target, .level = level, .x = xoffset, .y = yoffset,
+    struct texture_call call = {.dimensions = 3, .target = target, .level = level, .x = xoffset, .y = yoffset,
                                       .z = zoffset, .width = width, .height = height, .depth = 1};
     copy_sub_image(ctx, &call, x, y);
 }

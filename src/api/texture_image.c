@@ -5,9 +5,11 @@
 #include "api/command.h"
 #include "api/errors.h"
 #include "api/list.h"
+#include "framebuffer/imaging.h"
 #include "framebuffer/pixel_unpack.h"
 #include "texture/mipmap.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* ---- errors ---- */
@@ -106,6 +108,7 @@ static GLenum sub_image_error(struct context *ctx, const struct texture_call *ca
 struct pixel_source {
     const struct pixel_store *store;
     const void *pixels;
+    int width, height; /* as given: the texture's when no convolution reduces it */
 };
 
 /* OSMesa rule: integers are brought to the texels' precision before anything else: 16 bits to 16, at most 8 through 8, 10 as floats. */
@@ -145,6 +148,19 @@ static void store_pixels(const struct pixel_unpack *unpack, struct texture_image
     fgl_texture_store_color(image, x, y, z, n, planes, rounding);
 }
 
+/* Makes `unpack` the slice after the imaging stages; *image is then to be freed. A sink leaves no pixels: false, as when memory is
+ * short. */
+static bool image_slice(struct context *ctx, const struct texture_call *call, const struct pixel_source *source,
+                        struct pixel_unpack *unpack, struct color_image *image)
+{
+    if (!fgl_imaging_unpack(ctx, unpack, source->width, source->height, call->dimensions, image)) {
+        fgl_error(ctx, GL_OUT_OF_MEMORY);
+        return false;
+    }
+    *unpack = fgl_color_image_unpack(image, unpack);
+    return image->width > 0;
+}
+
 /* OSMesa rule: of a border nothing is read. */
 static void store_image(struct context *ctx, const struct texture_call *call, const struct pixel_source *source,
                         struct texture_image *image)
@@ -152,16 +168,21 @@ static void store_image(struct context *ctx, const struct texture_call *call, co
     const int border = call->sub ? 0 : call->border, border_y = call->dimensions > 1 ? border : 0,
               border_z = call->dimensions > 2 ? border : 0;
     const int width = call->width - 2 * border, height = call->height - 2 * border_y, depth = call->depth - 2 * border_z;
-    const struct pixel_image whole = fgl_pixel_image(source->store, call->format, call->type, call->width, source->pixels);
-    struct pixel_unpack unpack = {.mode = &ctx->s.pixel_mode, .maps = ctx->pixel_map, .steps = steps_of(image->format)};
+    const struct pixel_image whole = fgl_pixel_image(source->store, call->format, call->type, source->width, source->pixels);
+    const struct pixel_unpack given = {.mode = &ctx->s.pixel_mode, .maps = ctx->pixel_map, .steps = steps_of(image->format)};
+    const bool imaged = image->kind != TEXELS_DEPTH && fgl_imaging_active(ctx);
     const enum texel_rounding rounding =
-            through_bytes(ctx, image->format, call->format, call->type) ? ROUND_THROUGH_BYTES : ROUND_GIVEN;
+            !imaged && through_bytes(ctx, image->format, call->format, call->type) ? ROUND_THROUGH_BYTES : ROUND_GIVEN;
     for (int z = 0; z < depth; z++) {
+        struct color_image slice = {0};
+        struct pixel_unpack unpack = given;
         unpack.image = call->dimensions < 3 ? whole : fgl_pixel_slice(whole, source->store, call->height, z + border_z);
-        for (int y = 0; y < height; y++)
+        const bool present = !imaged || image_slice(ctx, call, source, &unpack, &slice);
+        for (int y = 0; present && y < height; y++)
             for (int x = 0; x < width; x += PIXEL_CHUNK)
                 store_pixels(&unpack, image, y + border_y, x + border, fgl_min(PIXEL_CHUNK, width - x), call->x + x,
                              call->y + y, call->z + z, rounding);
+        free(slice.color);
     }
 }
 
@@ -216,12 +237,17 @@ static void execute_sub_image(struct context *ctx, const struct texture_call *ca
     fgl_texture_after_change(ctx, &t, call->level);
 }
 
-static void execute(struct context *ctx, const struct texture_call *call, const struct pixel_source *source)
+/* GL 1.5, 3.6.5 "Convolution": errors are those of the sizes that it leaves. */
+static void execute(struct context *ctx, const struct texture_call *given, const struct pixel_store *store, const void *pixels)
 {
-    if (call->sub)
-        execute_sub_image(ctx, call, source);
+    struct texture_call call = *given;
+    const struct pixel_source source = {store, pixels, given->width, given->height};
+    if (given->format != GL_DEPTH_COMPONENT)
+        fgl_convolved_size(ctx, call.dimensions, &call.width, &call.height);
+    if (call.sub)
+        execute_sub_image(ctx, &call, &source);
     else
-        execute_image(ctx, call, source);
+        execute_image(ctx, &call, &source);
 }
 
 /* ---- display lists ---- */
@@ -264,8 +290,7 @@ static void record(struct context *ctx, const struct texture_call *call, const v
 void fgl_list_replay_texture_image(struct context *ctx, const void *payload)
 {
     const struct texture_node *node = payload;
-    const struct pixel_source source = {&fgl_packed_store, node->has_pixels ? node->pixels : NULL};
-    execute(ctx, &node->call, &source);
+    execute(ctx, &node->call, &fgl_packed_store, node->has_pixels ? node->pixels : NULL);
 }
 
 /* GL 1.5, 5.4: proxies are never compiled. */
@@ -282,8 +307,7 @@ static void command(const struct texture_call *call, const void *pixels)
         record(ctx, call, pixels);
     if (ctx->compiling == GL_COMPILE && !proxy)
         return;
-    const struct pixel_source source = {&ctx->client.unpack, pixels};
-    execute(ctx, call, &source);
+    execute(ctx, call, &ctx->client.unpack, pixels);
 }
 
 /* ---- commands ---- */

@@ -14,12 +14,16 @@ enum {
     FGL_MAX_MODELVIEW_DEPTH = 32,
     FGL_MAX_PROJECTION_DEPTH = 32,
     FGL_MAX_TEXTURE_DEPTH = 10,
+    FGL_MAX_COLOR_MATRIX_DEPTH = 4,
     FGL_MAX_ATTRIB_DEPTH = 16,
     FGL_MAX_CLIENT_ATTRIB_DEPTH = 16,
     FGL_MAX_NAME_DEPTH = 64,
     FGL_MAX_LIST_NESTING = 64,
     FGL_MAX_EVAL_ORDER = 30,
     FGL_MAX_PIXEL_MAP = 256,
+    FGL_MAX_COLOR_TABLE = 4096,
+    FGL_MAX_HISTOGRAM = 4096,
+    FGL_MAX_CONVOLUTION = 32, /* width and height of a filter */
     FGL_MAX_ELEMENTS = 3000, /* what glDrawRangeElements should be given at most */
     FGL_MAX_VIEWPORT = 16384,
     FGL_MAX_SHININESS = 128, /* GL 1.5, 2.14.1: also the largest spot exponent */

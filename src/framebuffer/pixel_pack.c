@@ -178,6 +178,18 @@ static void convert_color(const struct fetched_row *row, int channel, const stru
             out[i] = fgl_unorm_resize(row->integer[channel][i], row->bits, bits);
 }
 
+static int source_channel(const struct pixel_format *format, int c)
+{
+    return format->channel[c] == CHANNEL_LUMINANCE ? 0 : (int)format->channel[c];
+}
+
+static void convert_colors(const struct fetched_row *row, const struct pixel_format *format, const struct pixel_type *type, int n,
+                           struct component_row *out)
+{
+    for (int c = 0; c < format->components; c++)
+        convert_color(row, source_channel(format, c), type, c, n, out->value[c]);
+}
+
 static void pack_color(const struct pixel_pack *pack, const struct framebuffer *fb, int x, int y, int n,
                        struct component_row *out)
 {
@@ -198,10 +210,7 @@ static void pack_color(const struct pixel_pack *pack, const struct framebuffer *
         fgl_transfer_color(pack->mode, pack->maps, &row.color, n);
     if (luminance)
         add_luminance(&row.color, n);
-    for (int c = 0; c < format->components; c++) {
-        const int channel = format->channel[c] == CHANNEL_LUMINANCE ? 0 : (int)format->channel[c];
-        convert_color(&row, channel, type, c, n, out->value[c]);
-    }
+    convert_colors(&row, format, type, n, out);
 }
 
 /* ---- depth and stencil ---- */
@@ -369,9 +378,30 @@ void fgl_pack_colors(const struct pixel_pack *pack, struct fetched_row *fetched,
         fetched_to_float(fetched, n);
     else if (type->kind == COMPONENT_PACKED && type_bits(type, 0) <= 8)
         fetched_to_bytes(fetched, n);
-    for (int c = 0; c < format->components; c++) {
-        const int channel = format->channel[c] == CHANNEL_LUMINANCE ? 0 : (int)format->channel[c];
-        convert_color(fetched, channel, type, c, n, components.value[c]);
+    convert_colors(fetched, format, type, n, &components);
+    store_row(&pack->image, row, column, n, &components);
+}
+
+void fgl_pack_transferred(const struct pixel_pack *pack, struct color_row *colors, int n, int row, int column)
+{
+    struct fetched_row fetched = {.bits = 0};
+    struct component_row components;
+    if (pack->image.format->channel[0] == CHANNEL_LUMINANCE)
+        add_luminance(colors, n);
+    fetched.color = *colors;
+    convert_colors(&fetched, pack->image.format, pack->image.type, n, &components);
+    store_row(&pack->image, row, column, n, &components);
+}
+
+void fgl_pack_counts(const struct pixel_pack *pack, const uint32_t *const count[4], int n, int row, int column)
+{
+    const struct pixel_type *type = pack->image.type;
+    struct component_row components;
+    for (int c = 0; c < pack->image.format->components; c++) {
+        const uint32_t *from = count[source_channel(pack->image.format, c)];
+        const uint32_t max = type->kind == COMPONENT_FLOAT ? 0 : fgl_unorm_max(type_bits(type, c));
+        for (int i = 0; i < n; i++)
+            components.value[c][i] = type->kind == COMPONENT_FLOAT ? float_bits((float)from[i]) : from[i] < max ? from[i] : max;
     }
     store_row(&pack->image, row, column, n, &components);
 }

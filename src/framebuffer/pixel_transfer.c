@@ -1,5 +1,7 @@
 #include "framebuffer/pixel_transfer.h"
 
+const struct pixel_mode_state fgl_no_transfer = {.scale = {1, 1, 1, 1}, .depth_scale = 1};
+
 bool fgl_transfer_color_active(const struct pixel_mode_state *mode)
 {
     bool active = mode->map_color;

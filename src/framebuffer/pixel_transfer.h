@@ -6,6 +6,9 @@
 #include "base/fgl.h"
 #include "state/context.h"
 
+/* Modes under which nothing changes. */
+extern const struct pixel_mode_state fgl_no_transfer;
+
 enum { PIXEL_CHUNK = 256 }; /* pixels of a row that are worked on at once */
 
 /* A row of RGBA pixels, one plane for each channel. */

@@ -9,6 +9,7 @@
 #include "api/proc_address.h"
 #include "api/query.h"
 #include "fixedgl.h"
+#include "framebuffer/imaging.h"
 #include "pipeline/explain.h"
 #include "pipeline/pipeline.h"
 #include "texture/texture.h"
@@ -140,6 +141,7 @@ void GLAPIENTRY OSMesaDestroyContext(OSMesaContext c)
     fgl_client_attrib_destroy(&c->gl);
     fgl_buffer_store_release(c->gl.buffers);
     fgl_eval_maps_destroy(&c->gl);
+    fgl_imaging_destroy(&c->gl);
     fgl_immediate_destroy(c->gl.immediate);
     fgl_pipeline_destroy(c->gl.pipeline);
     fgl_framebuffer_free(&c->fb);

@@ -126,8 +126,26 @@ static void init_hints(struct hint_state *h)
     h->generate_mipmap_hint = h->texture_compression_hint = h->phong_hint = GL_DONT_CARE;
 }
 
+static void init_scale(struct scale_bias *t)
+{
+    set4(t->scale, 1, 1, 1, 1);
+}
+
+static void init_imaging(struct imaging_state *s)
+{
+    for (int i = 0; i < COLOR_TABLES; i++)
+        init_scale(&s->color_table_transform[i]);
+    for (int i = 0; i < FILTERS; i++) {
+        init_scale(&s->filter_transform[i]);
+        s->border_mode[i] = GL_REDUCE;
+    }
+    init_scale(&s->post_convolution);
+    init_scale(&s->post_color_matrix);
+}
+
 static void init_pixel_mode(struct pixel_mode_state *p)
 {
+    init_imaging(&p->imaging);
     for (int i = 0; i < 4; i++)
         p->scale[i] = 1;
     p->depth_scale = p->zoom_x = p->zoom_y = 1;
@@ -243,4 +261,5 @@ void fgl_state_init(struct context *ctx)
     init_stack(&ctx->projection, FGL_MAX_PROJECTION_DEPTH, DIRTY_PROJECTION);
     for (int unit = 0; unit < FGL_MAX_TEXTURE_UNITS; unit++)
         init_stack(&ctx->texture_matrix[unit], FGL_MAX_TEXTURE_DEPTH, DIRTY_TEXTURE_MATRIX);
+    init_stack(&ctx->color_matrix, FGL_MAX_COLOR_MATRIX_DEPTH, DIRTY_PIXEL);
 }

@@ -147,11 +147,29 @@ struct list_state {
     unsigned list_base;
 };
 
+/* Tables 6.23 and 6.24 "Pixels": what the imaging subset adds to the pixel modes. The tables, filters and counters are in
+ * no attribute group: framebuffer/imaging.h. */
+enum { COLOR_TABLE_FIRST, COLOR_TABLE_POST_CONVOLUTION, COLOR_TABLE_POST_COLOR_MATRIX, COLOR_TABLES };
+enum { FILTER_1D, FILTER_2D, FILTER_SEPARABLE, FILTERS };
+
+struct scale_bias {
+    float scale[4], bias[4];
+};
+
+struct imaging_state {
+    bool color_table[COLOR_TABLES], convolution[FILTERS], histogram, minmax; /* enabled */
+    struct scale_bias color_table_transform[COLOR_TABLES], filter_transform[FILTERS]; /* of what is specified */
+    GLenum border_mode[FILTERS];
+    float border_color[FILTERS][4];
+    struct scale_bias post_convolution, post_color_matrix;
+};
+
 struct pixel_mode_state { /* GL_PIXEL_MODE_BIT */
     bool map_color, map_stencil;
     int index_shift, index_offset;
     float scale[4], bias[4], depth_scale, depth_bias, zoom_x, zoom_y;
     GLenum read_buffer;
+    struct imaging_state imaging;
 };
 
 /* Table 6.23 "Pixels": glPixelMap. In no attribute group. In the order of GL_PIXEL_MAP_I_TO_I... */
@@ -313,7 +331,7 @@ struct context {
 
     struct server_state s;
     struct client_state client;
-    struct matrix_stack modelview, projection, texture_matrix[FGL_MAX_TEXTURE_UNITS];
+    struct matrix_stack modelview, projection, texture_matrix[FGL_MAX_TEXTURE_UNITS], color_matrix;
     struct pixel_map pixel_map[PIXEL_MAP_COUNT];
 
     struct attrib_entry *attrib_stack; /* FGL_MAX_ATTRIB_DEPTH entries, allocated at the first push */
@@ -341,6 +359,7 @@ struct context {
     struct buffer_store *buffers;    /* api/buffer.h: buffer objects, shared as lists are */
     struct queries *queries;         /* api/query.h: allocated when first used */
     struct eval_maps *eval_maps;     /* api/eval_map.h: allocated when first used */
+    struct imaging *imaging;         /* framebuffer/imaging.h: allocated when first used */
     struct pipeline *pipeline;       /* pipeline/pipeline.h: the plan and its work space */
     struct framebuffer *framebuffer; /* framebuffer/framebuffer.h; NULL until OSMesaMakeCurrent */
     struct osmesa_context *osmesa;   /* osmesa/osmesa.c */

@@ -22,7 +22,8 @@ enum {
     DIRTY_TEXTURE = 1 << 15,    /* glEnable(GL_TEXTURE_2D, GL_TEXTURE_GEN_S, ...), glTexEnv, glTexGen, glBindTexture,
                                    glTexParameter, images and deletions */
     DIRTY_POINT = 1 << 16,      /* glPointSize, glPointParameter: sizes by distance */
-    DIRTY_ALL = (1 << 17) - 1
+    DIRTY_PIXEL = 1 << 17,      /* glEnable of the imaging subset, matrix commands in GL_COLOR mode: no plan depends on it */
+    DIRTY_ALL = (1 << 18) - 1
 };
 
 #endif
