@@ -28,6 +28,7 @@ struct sampler {
     GLenum compare_func; /* depth textures; 0: not compared */
     GLenum depth_mode;
     int depth_bits;
+    int shift[4]; /* TEXELS_UNORM8: how many bits less than 8 the format stores of each component */
     float border[4];   /* as a texel */
     int last_level;    /* level[0] is the base level */
     struct texture_level level[FGL_MAX_TEXTURE_LEVELS];

@@ -97,6 +97,13 @@ static FGL_ALWAYS_INLINE void unpack_texels(const uint32_t *texel, real to[4][FR
 
 /* ---- floats ---- */
 
+/* A component of at most 8 bits. OSMesa rule: here it counts with the bits that its format stores, in fixed point with all 8. */
+static inline real unorm_component(const struct sampler *sampler, int c, uint8_t v)
+{
+    return R_EXACT ? (real)(v >> sampler->shift[c]) / (real)(255 >> sampler->shift[c])
+                   : (real)(v >> sampler->shift[c]) * (real)(1.0f / (float)(255 >> sampler->shift[c]));
+}
+
 static inline real compare_depth(GLenum func, real r, real texel)
 {
     return (real)((((int)func & (r < texel)) | ((int)(func >> 1) & (r == texel)) | ((int)(func >> 2) & (r > texel))) & 1);
@@ -120,7 +127,7 @@ static inline void fetch_texel(const struct sampler *sampler, const struct textu
     const void *texels = level->texels[sampler->target == TEXTURE_CUBE_MAP ? at->face[i] : 0];
     for (int c = 0; c < 4; c++)
         to[c] = !inside                           ? (real)sampler->border[c]
-                : sampler->kind == TEXELS_UNORM8 ? from_unorm8(((const uint8_t *)texels)[4 * index + (size_t)c])
+                : sampler->kind == TEXELS_UNORM8 ? unorm_component(sampler, c, ((const uint8_t *)texels)[4 * index + (size_t)c])
                 : sampler->kind == TEXELS_FLOAT  ? (real)((const float *)texels)[4 * index + (size_t)c]
                                                  : sampled_depth(sampler, ((const float *)texels)[index]);
     if (sampler->compare_func)

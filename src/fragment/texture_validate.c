@@ -93,6 +93,9 @@ static void derive_sampler(struct sampler *to, const struct texture_object *obje
     to->target = object->target;
     to->kind = image->kind;
     to->depth_bits = image->kind == TEXELS_DEPTH ? image->format->bits[0] : 0;
+    const bool rgba = image->format->base_format == GL_RGBA || image->format->base_format == GL_RGB;
+    for (int c = 0; c < 4; c++)
+        to->shift[c] = to->kind == TEXELS_UNORM8 && rgba && image->format->bits[c] ? 8 - image->format->bits[c] : 0;
     derive_filters(to, &object->parameters);
     derive_lod(to, &object->parameters, unit_bias);
     derive_border(to, object->parameters.border_color, image->format->base_format);

@@ -187,6 +187,11 @@ static void choose_features(struct generator *g)
     memcpy(g->enabled, g->selected, sizeof g->enabled);
     g->enabled[FEATURE_lighting] = g->selected[FEATURE_lighting] && chance(g, 70);
     g->plain_lights = chance(g, 30);
+    /* OSMesa gives textured bitmaps coordinates that have nothing to do with the raster position. */
+    if (chance(g, 50))
+        g->enabled[FEATURE_texture] = false;
+    else
+        g->enabled[FEATURE_bitmap] = false;
     if (!g->selected[FEATURE_polygon_mode])
         return;
     if (chance(g, 50))
