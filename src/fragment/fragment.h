@@ -115,6 +115,9 @@ struct fragment_kernels {
      * no stipple */
     fragment_fill_fn *fused[DEPTH_KINDS][COLOR_SOURCES];
     fragment_fill_fn *general; /* everything that a plan and planes can ask for */
+    /* for explain: stage number `stage` at a pixel */
+    void (*trace_texture)(const struct fragment_plan *plan, const struct planes *planes, int stage, int row, int x,
+                          struct texture_trace *to);
     fragment_fill_fn *index;   /* the same in colour index mode: COLOR_INDEX8 */
 };
 

@@ -3,6 +3,7 @@
  * FGL_ARITH naming it. */
 #include "fragment/fused.h"
 #include "fragment/general.h"
+#include "fragment/texture_trace.h"
 #include "fragment/index.h"
 
 extern const struct fragment_kernels FGL_KERNELS(fragment);
@@ -12,5 +13,6 @@ const struct fragment_kernels FGL_KERNELS(fragment) = {
                   [DEPTH_LEQUAL] = {fill_constant_lequal, fill_flat_lequal, fill_smooth_lequal,
                                     fill_image_lequal}},
         .general = general_fill,
+        .trace_texture = trace_texture,
         .index = index_fill,
 };

@@ -44,6 +44,7 @@ struct texture_environment {
     struct combine rgb, alpha;
     bool clamped; /* GL 1.5, 3.8.13: where the result may leave [0,1] */
     float color[4];
+    GLenum mode; /* as given, for explain */
 };
 
 /* Where a unit's coordinates come from. */
@@ -59,6 +60,15 @@ struct texture_stage {
     int lane;          /* of s; t r q follow */
     struct sampler sampler;
     struct texture_environment environment;
+};
+
+/* What a stage made of one fragment, for explain. */
+struct texture_trace {
+    double coordinate[3]; /* s t r, divided by q */
+    bool magnified;       /* the magnification filter was used, or the only one there is */
+    int level;            /* counted from the base level; mixed with the next by fraction */
+    double fraction;
+    double texel[4];
 };
 
 struct server_state;

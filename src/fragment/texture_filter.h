@@ -46,17 +46,16 @@ static FGL_ALWAYS_INLINE void lerp_group(const int32_t *weight, const uint32_t *
     FOR_GROUP(i) to[i] = lerp_packed((uint32_t)weight[i], a[i], b[i]);
 }
 
-static FGL_ALWAYS_INLINE void filter_packed(const struct sampler *sampler, const struct texture_level *level,
-                                            const struct texture_coords *at, const int dimensions, const bool cube,
-                                            const enum texture_filter filter, const GLenum wrap[3],
-                                            uint32_t *FGL_RESTRICT texel)
+static FGL_ALWAYS_INLINE void filter_packed(const struct texture_level *level, const struct texture_coords *at,
+                                            const int dimensions, const bool cube, const enum texture_filter filter,
+                                            const GLenum wrap[3], uint32_t *FGL_RESTRICT texel)
 {
     struct texel_pair axis[3];
-    (void)sampler;
+    const int y_axis = dimensions > 1 ? 1 : 0, z_axis = dimensions > 2 ? 2 : 0; /* 0: not used */
     if (filter == FILTER_NEAREST) {
         for (int k = 0; k < dimensions; k++)
             wrap_nearest(at->s[k], level->size[k], wrap[k], axis[k].i0);
-        fetch_packed(level, at, axis[0].i0, axis[1].i0, axis[2].i0, dimensions, cube, texel);
+        fetch_packed(level, at, axis[0].i0, axis[y_axis].i0, axis[z_axis].i0, dimensions, cube, texel);
         return;
     }
     uint32_t slice[2][FRAGMENT_GROUP];
@@ -64,10 +63,10 @@ static FGL_ALWAYS_INLINE void filter_packed(const struct sampler *sampler, const
         wrap_linear_fixed(at->s[k], level->size[k], wrap[k], &axis[k]);
     for (int z = 0; z < (dimensions > 2 ? 2 : 1); z++) {
         uint32_t row[2][FRAGMENT_GROUP];
-        const int32_t *slice_index = z ? axis[2].i1 : axis[2].i0;
+        const int32_t *slice_index = z ? axis[z_axis].i1 : axis[z_axis].i0;
         for (int y = 0; y < (dimensions > 1 ? 2 : 1); y++) {
             uint32_t left[FRAGMENT_GROUP], right[FRAGMENT_GROUP];
-            const int32_t *row_index = y ? axis[1].i1 : axis[1].i0;
+            const int32_t *row_index = y ? axis[y_axis].i1 : axis[y_axis].i0;
             fetch_packed(level, at, axis[0].i0, row_index, slice_index, dimensions, cube, left);
             fetch_packed(level, at, axis[0].i1, row_index, slice_index, dimensions, cube, right);
             lerp_group(axis[0].weight, left, right, row[y]);

@@ -47,18 +47,18 @@ static FGL_ALWAYS_INLINE void sample_packed(const struct sampler *sampler, const
                                             const bool cube, const GLenum wrap[3], uint32_t texel[FRAGMENT_GROUP])
 {
     if (!sampler->needs_lod) {
-        filter_packed(sampler, &sampler->level[0], at, dimensions, cube, sampler->mag, wrap, texel);
+        filter_packed(&sampler->level[0], at, dimensions, cube, sampler->mag, wrap, texel);
         return;
     }
     int first, last;
     FOR_GROUP(i) texel[i] = 0;
     if (any_magnified(choice, live))
-        filter_packed(sampler, &sampler->level[0], at, dimensions, cube, sampler->mag, wrap, texel);
+        filter_packed(&sampler->level[0], at, dimensions, cube, sampler->mag, wrap, texel);
     if (!level_range(choice, live, &first, &last))
         return;
     for (int level = first; level <= last; level++) {
         uint32_t next[FRAGMENT_GROUP];
-        filter_packed(sampler, &sampler->level[level], at, dimensions, cube, sampler->min, wrap, next);
+        filter_packed(&sampler->level[level], at, dimensions, cube, sampler->min, wrap, next);
         FOR_GROUP(i) {
             const bool min = !choice->magnify[i], upper = choice->level[i] + 1 == level;
             const uint32_t weight = (uint32_t)(int32_t)(choice->f[i] * 256);
@@ -68,6 +68,24 @@ static FGL_ALWAYS_INLINE void sample_packed(const struct sampler *sampler, const
         }
     }
 }
+
+/* An instance for each target: dimensions of an image, cube map. */
+#define SAMPLE(name, dimensions, cube)                                                                       \
+    static FGL_NOINLINE void name(const struct sampler *sampler, const struct texture_coords *at,            \
+                                  const struct level_choice *choice, const int32_t *live,                    \
+                                  uint32_t texel[FRAGMENT_GROUP])                                            \
+    {                                                                                                        \
+        sample_packed(sampler, at, choice, live, dimensions, cube, sampler->wrap, texel);                    \
+    }
+SAMPLE(sample_1d, 1, false)
+SAMPLE(sample_2d, 2, false)
+SAMPLE(sample_3d, 3, false)
+SAMPLE(sample_cube, 2, true)
+#undef SAMPLE
+
+typedef void sample_fn(const struct sampler *sampler, const struct texture_coords *at, const struct level_choice *choice,
+                       const int32_t *live, uint32_t texel[FRAGMENT_GROUP]);
+static sample_fn *const sample_target[TEXTURE_TARGETS] = {sample_1d, sample_2d, sample_3d, sample_cube};
 
 /* OSMesa rule: where one fragment of a block of 4 x 2 needs the linear filter, all are filtered linearly, those that need the nearest texel
  * with weights rounded to 0 and 1. Marks these. */
@@ -144,7 +162,7 @@ static inline void sample_texture(const struct fragments *fragments, const struc
         choose_faces(&at);
     if (sampler->fixed_point && !R_EXACT) {
         uint32_t packed[FRAGMENT_GROUP];
-        sample_packed(sampler, &at, &choice, fragments->live, sampler->dimensions, cube, sampler->wrap, packed);
+        sample_target[sampler->target](sampler, &at, &choice, fragments->live, packed);
         unpack_texels(packed, texel);
     } else {
         sample_real(sampler, &at, &choice, fragments->live, texel);

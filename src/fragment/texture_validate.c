@@ -213,6 +213,7 @@ static void derive_environment(struct texture_environment *to, const struct text
         derive_combine(to, e);
     else
         derive_simple(to, e->mode, base);
+    to->mode = e->mode;
     to->clamped = leaves_range(&to->rgb) || leaves_range(&to->alpha);
     for (int i = 0; i < 4; i++)
         to->color[i] = fgl_clamp01(e->color[i]);

@@ -36,6 +36,11 @@ struct pixel_value {
  * clamped. */
 struct fragment_stages {
     bool covered; /* false: a stipple or the disc of a point left the pixel out */
+    int textures; /* units that draw a texture */
+    struct explained_texture {
+        struct texture_trace trace;
+        float result[4]; /* of its environment */
+    } texture[FGL_MAX_TEXTURE_UNITS];
     float interpolated[4], summed[4], fogged[4], smoothed[4];
     float fog_factor;
     uint32_t depth;

@@ -183,6 +183,7 @@ static float fog_factor(struct scratch *s, const struct fragment_plan *plan, con
     float color[4] = {1, 1, 1, 1};
     f.color_source = COLOR_CONSTANT;
     f.has_secondary = false;
+    f.textures = 0;
     for (int c = 0; c < 4; c++) {
         f.constant_color[c] = 1.0f;
         f.fog_color[c] = 0.0f;
@@ -239,6 +240,12 @@ void fgl_explain_stages(struct scratch *s, const struct fragment_plan *plan, con
     memset(to, 0, sizeof *to);
     unsmoothed.smoothing = SMOOTH_NONE;
     to->covered = color_of(s, &f, &unsmoothed, row, x, to->interpolated);
+    to->textures = plan->textures;
+    for (f.textures = 0; f.textures < plan->textures;) {
+        struct explained_texture *texture = &to->texture[f.textures];
+        fgl_fragment_kernels(plan->arith)->trace_texture(plan, &unsmoothed, f.textures++, row, x, &texture->trace);
+        color_of(s, &f, &unsmoothed, row, x, texture->result);
+    }
     f.has_secondary = plan->has_secondary;
     color_of(s, &f, &unsmoothed, row, x, to->summed);
     f.has_fog = plan->has_fog;

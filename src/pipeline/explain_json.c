@@ -69,10 +69,37 @@ static void close(struct text *t, char bracket)
     fgl_text_add(t, "%c", bracket);
 }
 
+static void doubles3(struct text *t, const char *key, const double v[3])
+{
+    const float values[3] = {(float)v[0], (float)v[1], (float)v[2]};
+    floats(t, key, values, 3);
+}
+
+/* In the order in which the units are applied. */
+static void textures(struct text *t, const struct fragment_stages *s)
+{
+    open(t, "textures", '[');
+    for (int i = 0; i < s->textures; i++) {
+        const struct texture_trace *trace = &s->texture[i].trace;
+        const float texel[4] = {(float)trace->texel[0], (float)trace->texel[1], (float)trace->texel[2], (float)trace->texel[3]};
+        open(t, NULL, '{');
+        doubles3(t, "coordinate", trace->coordinate);
+        one(t, "magnified", trace->magnified);
+        one(t, "level", trace->level);
+        one(t, "fraction", trace->fraction);
+        floats(t, "texel", texel, 4);
+        floats(t, "result", s->texture[i].result, 4);
+        close(t, '}');
+    }
+    close(t, ']');
+}
+
 static void fragment(struct text *t, const struct fragment_stages *s)
 {
     open(t, "fragment", '{');
     floats(t, "interpolated", s->interpolated, 4);
+    if (s->textures > 0)
+        textures(t, s);
     floats(t, "color_sum", s->summed, 4);
     one(t, "fog_factor", (double)s->fog_factor);
     floats(t, "fogged", s->fogged, 4);

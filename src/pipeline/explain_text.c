@@ -289,6 +289,38 @@ static void writing(struct text *t, const struct explain_detail *d, const struct
     fgl_text_add(t, "\n");
 }
 
+static const char *environment_name(const struct texture_environment *e)
+{
+    static const struct {
+        GLenum mode;
+        const char *name;
+    } names[] = {{GL_MODULATE, "modulated"}, {GL_REPLACE, "replaced"}, {GL_DECAL, "decal"}, {GL_BLEND, "blended"},
+                 {GL_ADD, "added"}};
+    for (size_t i = 0; i < FGL_COUNTOF(names); i++)
+        if (e->mode == names[i].mode)
+            return names[i].name;
+    return "combined";
+}
+
+/* Two lines for each unit: the texel, where and in which images it was found, and what the environment made of it. */
+static void texture_lines(struct text *t, const struct fragment_stages *s, const struct fragment_plan *f)
+{
+    static const char *const targets[TEXTURE_TARGETS] = {"1D", "2D", "3D", "cube map"};
+    for (int i = 0; i < s->textures; i++) {
+        const struct texture_trace *trace = &s->texture[i].trace;
+        const float texel[4] = {(float)trace->texel[0], (float)trace->texel[1], (float)trace->texel[2], (float)trace->texel[3]};
+        char note[160], level[64] = "magnified";
+        if (!f->texture[i].sampler.needs_lod)
+            snprintf(level, sizeof level, "one filter");
+        else if (!trace->magnified)
+            snprintf(level, sizeof level, "level %d%s%.3f", trace->level, trace->fraction > 0 ? " and " : " + ", trace->fraction);
+        snprintf(note, sizeof note, "unit %d, %s (3.8): s t r = %.5g %.5g %.5g, %s", f->texture[i].unit,
+                 targets[f->texture[i].sampler.target], trace->coordinate[0], trace->coordinate[1], trace->coordinate[2], level);
+        color_line(t, "texel", texel, note);
+        color_line(t, environment_name(&f->texture[i].environment), s->texture[i].result, "texture environment (3.8.13)");
+    }
+}
+
 static void fragment(struct text *t, const struct explain_detail *d, const struct framebuffer *fb)
 {
     const struct fragment_stages *s = &d->event.fragment;
@@ -301,6 +333,7 @@ static void fragment(struct text *t, const struct explain_detail *d, const struc
     char note[96];
     fgl_text_add(t, "\n%-28s%9s%8s%8s%8s\n", "Fragment", "red", "green", "blue", "alpha");
     color_line(t, "colour", s->interpolated, source[f->color_source]);
+    texture_lines(t, s, f);
     if (f->has_secondary)
         color_line(t, "+ secondary colour", s->summed, "colour sum (3.9)");
     if (f->has_fog) {
