@@ -156,6 +156,7 @@ static void extend_vertices(struct plan *plan)
     const int back = (e->size_lane ? e->size_lane : e->stride) - e->lanes;
     r->lanes = r->back_lane = e->lanes = e->back_lane = LANE_TEX0 + 4;
     e->size_lane = r->size_lane = 0;
+    e->textures = 0; /* fgl_feedback_emit hands over the first unit's */
     fgl_emit_layout(e, e->arith, e->lanes + back);
     r->stride = e->stride;
     plan->fetch |= 1u << ATTR_TEX0;
@@ -165,13 +166,10 @@ void fgl_feedback_validate(struct context *ctx, struct plan *plan)
 {
     struct raster_plan *r = &plan->raster;
     const bool feedback = ctx->render_mode == GL_FEEDBACK;
-    const struct matrix_stack *stack = &ctx->texture_matrix[0];
     plan->polygon_fill = false; /* the longer road for all */
     plan->decomposed = true;
     plan->rasterize = true;     /* whatever scissor and draw buffer let through */
     plan->feedback.texture_coords = feedback;
-    for (int i = 0; i < 16; i++)
-        plan->feedback.texture_matrix[i] = stack->entry[stack->top].m[i];
     r->filled = feedback ? feedback_triangle : select_triangle;
     r->line = feedback ? feedback_line : select_line;
     r->point = feedback ? feedback_point : select_point;
@@ -180,21 +178,19 @@ void fgl_feedback_validate(struct context *ctx, struct plan *plan)
         extend_vertices(plan);
 }
 
-/* GL 1.5, 2.11.2: texture coordinates are multiplied by the texture matrix. */
+/* The first unit's coordinates, generated and transformed (GL 1.5, 2.11.2, 2.11.4) whether it draws a texture or not. */
 void fgl_feedback_emit(const struct plan *plan, const struct vertex_batch *b, unsigned char *record)
 {
-    const float *m = plan->feedback.texture_matrix, *constant = plan->vertex.constant[ATTR_TEX0];
+    const struct vertex_plan *v = &plan->vertex;
+    const bool computed = v->textures > 0 && v->texture[0].unit == 0 && v->texture[0].computed;
     const bool varying = b->varying & (1u << ATTR_TEX0), exact = plan->emit.arith == ARITH_EXACT;
     for (int i = 0; i < b->n; i++, record += plan->emit.record_bytes) {
-        float t[4];
-        for (int c = 0; c < 4; c++)
-            t[c] = varying ? b->in[ATTR_TEX0].c[c][i] : constant[c];
-        for (int row = 0; row < 4; row++) {
-            const float v = t[0] * m[row] + t[1] * m[4 + row] + t[2] * m[8 + row] + t[3] * m[12 + row];
+        for (int c = 0; c < 4; c++) {
+            const float given = varying ? b->in[ATTR_TEX0].c[c][i] : v->constant[ATTR_TEX0][c];
             if (exact)
-                ((double *)(void *)record)[LANE_TEX0 + row] = (double)v;
+                ((double *)(void *)record)[LANE_TEX0 + c] = computed ? b->exact.texture[0].c[c][i] : (double)given;
             else
-                ((float *)(void *)record)[LANE_TEX0 + row] = v;
+                ((float *)(void *)record)[LANE_TEX0 + c] = computed ? b->texture[0].c[c][i] : given;
         }
     }
 }

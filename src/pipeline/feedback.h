@@ -11,8 +11,7 @@ struct plan;
 
 /* What a plan holds for feedback. */
 struct feedback_plan {
-    bool texture_coords; /* raster vertices get the first unit's: nothing else fetches them yet */
-    float texture_matrix[16];
+    bool texture_coords; /* raster vertices get the first unit's */
 };
 
 /* Turns the rasterizer's plan into one for ctx->render_mode, not GL_RENDER. */

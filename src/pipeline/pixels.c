@@ -44,7 +44,8 @@ void fgl_pixels_begin(struct context *ctx, enum pixel_kind kind, struct pixel_dr
         f->pixels = &draw->inputs;
     if (kind == PIXELS_DEPTH) {
         f->fill = f->general;
-        f->has_fog = false; /* OSMesa rule */
+        f->has_fog = false; /* OSMesa rules */
+        f->textures = 0;
     }
     fgl_raster_validate(&raster, &ctx->s, f);
     draw->bounds = raster.bounds;

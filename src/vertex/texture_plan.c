@@ -41,6 +41,13 @@ static bool derive(struct vertex_texture *to, struct exact_texture *exact, const
     return generated || to->transformed;
 }
 
+/* Whether somebody asks for the unit's coordinates: a texture, or feedback for the first unit's. */
+static bool is_wanted(const struct context *ctx, int unit)
+{
+    const struct texture_unit *u = &ctx->s.texture.unit[unit];
+    return (u->enabled && fgl_texture_current(u)) || (unit == 0 && ctx->render_mode == GL_FEEDBACK);
+}
+
 void fgl_texture_plan_validate(struct vertex_plan *plan, struct context *ctx, uint32_t varying)
 {
     plan->textures = 0;
@@ -49,7 +56,7 @@ void fgl_texture_plan_validate(struct vertex_plan *plan, struct context *ctx, ui
         const struct texture_unit *u = &ctx->s.texture.unit[unit];
         struct vertex_texture *to = &plan->texture[plan->textures];
         struct matrix_stack *stack = &ctx->texture_matrix[unit];
-        if (!u->enabled || !fgl_texture_current(u))
+        if (!is_wanted(ctx, unit))
             continue;
         to->unit = unit;
         to->computed = derive(to, &plan->exact.texture[plan->textures], u, &stack->entry[stack->top]);

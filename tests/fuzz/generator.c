@@ -187,11 +187,16 @@ static void choose_features(struct generator *g)
     memcpy(g->enabled, g->selected, sizeof g->enabled);
     g->enabled[FEATURE_lighting] = g->selected[FEATURE_lighting] && chance(g, 70);
     g->plain_lights = chance(g, 30);
-    /* OSMesa gives textured bitmaps coordinates that have nothing to do with the raster position. */
+    /* OSMesa gives textured bitmaps coordinates that have nothing to do with the raster position, and copies some pixels without
+     * texturing them. */
     if (chance(g, 50))
         g->enabled[FEATURE_texture] = false;
     else
-        g->enabled[FEATURE_bitmap] = false;
+        g->enabled[FEATURE_bitmap] = g->enabled[FEATURE_copy_pixels] = false;
+    if (chance(g, 50)) /* which OSMesa does not always heed in feedback */
+        g->enabled[FEATURE_texgen] = g->enabled[FEATURE_texture_matrix] = false;
+    else
+        g->enabled[FEATURE_feedback] = false;
     if (!g->selected[FEATURE_polygon_mode])
         return;
     if (chance(g, 50))
