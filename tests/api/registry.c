@@ -1,4 +1,4 @@
-/* The Khronos registry's list of OpenGL 1.0 to 1.5 (gl.xml of Debian's khronos-api) against the library: every command is
+/* The Khronos registry's list of OpenGL 1.0 to 1.5 with the imaging subset (gl.xml of Debian's khronos-api) against the library: every command is
  * exported and answers, every token is declared with its value, every state variable can be queried. What is still missing
  * stands in registry_missing.txt, which may only shrink: an entry that is there after all fails the test.
  *
@@ -63,20 +63,28 @@ static bool attribute(const char *tag, const char *name, char *value, size_t siz
     return true;
 }
 
-/* Calls f with the name of each `element` that OpenGL 1.0 to 1.5 is made of. */
+/* Calls f with the name of each `element` between the tag that starts with `begin` and the tag `end`. */
+static void each_name_between(const char *begin, const char *end, const char *element, void (*f)(const char *name))
+{
+    char open[32], name[128];
+    snprintf(open, sizeof open, "<%s ", element);
+    const char *at = strstr(registry, begin);
+    assert_non_null(at);
+    const char *last = strstr(at, end);
+    for (at = strstr(at, open); at && at < last; at = strstr(at + 1, open))
+        if (attribute(at, "name", name, sizeof name))
+            f(name);
+}
+
+/* The same with all that OpenGL 1.0 to 1.5 and its imaging subset are made of. */
 static void each_name(const char *element, void (*f)(const char *name))
 {
     for (int minor = 0; minor <= 5; minor++) {
-        char feature[64], open[32], name[128];
+        char feature[64];
         snprintf(feature, sizeof feature, "<feature api=\"gl\" name=\"GL_VERSION_1_%d\"", minor);
-        snprintf(open, sizeof open, "<%s ", element);
-        const char *at = strstr(registry, feature);
-        assert_non_null(at);
-        const char *end = strstr(at, "</feature>");
-        for (at = strstr(at, open); at && at < end; at = strstr(at + 1, open))
-            if (attribute(at, "name", name, sizeof name))
-                f(name);
+        each_name_between(feature, "</feature>", element, f);
     }
+    each_name_between("<extension name=\"GL_ARB_imaging\"", "</extension>", element, f);
 }
 
 /* ---- commands ---- */
