@@ -146,6 +146,36 @@ static void two_sided(void)
     triangles();
 }
 
+static void phong(void)
+{
+    glShadeModel(GL_PHONG_WIN);
+    glEnable(GL_COLOR_MATERIAL);
+    local();
+}
+static void phong_two_sided(void)
+{
+    glShadeModel(GL_PHONG_WIN);
+    glLightModeli(GL_LIGHT_MODEL_SPECULAR_VECTOR_APPLE, 1);
+    two_sided();
+}
+static void textured(void)
+{
+    const unsigned char texels[2][2][4] = {{{255, 90, 20, 255}, {40, 200, 90, 128}}, {{10, 60, 250, 255}, {180, 180, 180, 0}}};
+    glEnable(GL_TEXTURE_2D);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+    glTexGeni(GL_S, GL_TEXTURE_GEN_MODE, GL_OBJECT_LINEAR);
+    glTexGeni(GL_T, GL_TEXTURE_GEN_MODE, GL_OBJECT_LINEAR);
+    glEnable(GL_TEXTURE_GEN_S);
+    glEnable(GL_TEXTURE_GEN_T);
+    separate();
+}
+static void textured_phong(void)
+{
+    glShadeModel(GL_PHONG_WIN);
+    textured();
+}
+
 static void fog(void)
 {
     glEnable(GL_FOG);
@@ -345,6 +375,8 @@ static void cleared_in_between(void)
 static void (*const scene[])(void) = {smooth,         flat,       directional,
                                       local,          spot,       separate,
                                       colored,        two_sided,  fog,
+                                      phong,          textured,   textured_phong,
+                                      phong_two_sided,
                                       blend,          blend_over, alpha,
                                       logic,          masked,     scissored,
                                       no_depth,       user_plane, as_lines,
