@@ -43,7 +43,7 @@ static void draw_scene(void)
 static void lamp_view(void)
 {
     gluPerspective(60, 1, 1.5, 9);
-    gluLookAt(lamp_x, 4, 2.2, 0, 0, 0, 0, 1, 0);
+    gluLookAt((double)lamp_x, 4, 2.2, 0, 0, 0, 0, 1, 0);
 }
 
 /* The lamp's picture into the texture. */
