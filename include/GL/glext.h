@@ -1529,6 +1529,177 @@ typedef void (APIENTRYP PFNGLTEXSUBIMAGE3DEXTPROC)(GLenum target, GLint level, G
 #define GL_TEXTURE_MAX_LEVEL_SGIS                  0x813D
 #endif
 
+/* The same under the names of OpenGL 3.0, with framebuffers of their own for drawing and reading, and copies between them. Attachments may
+ * differ in size: what all of them have is drawn to. Multisampling is not to be had: GL_MAX_SAMPLES is 0. */
+#ifndef GL_ARB_framebuffer_object
+#define GL_ARB_framebuffer_object 1
+
+/* Targets, attachment points, bindings and limits. */
+#define GL_DEPTH_STENCIL_ATTACHMENT                        0x821A
+#define GL_MAX_RENDERBUFFER_SIZE                           0x84E8
+#define GL_FRAMEBUFFER_BINDING                             0x8CA6
+#define GL_DRAW_FRAMEBUFFER_BINDING                        0x8CA6
+#define GL_RENDERBUFFER_BINDING                            0x8CA7
+#define GL_READ_FRAMEBUFFER                                0x8CA8
+#define GL_DRAW_FRAMEBUFFER                                0x8CA9
+#define GL_READ_FRAMEBUFFER_BINDING                        0x8CAA
+#define GL_MAX_COLOR_ATTACHMENTS                           0x8CDF
+#define GL_COLOR_ATTACHMENT0                               0x8CE0
+#define GL_COLOR_ATTACHMENT1                               0x8CE1
+#define GL_COLOR_ATTACHMENT2                               0x8CE2
+#define GL_COLOR_ATTACHMENT3                               0x8CE3
+#define GL_COLOR_ATTACHMENT4                               0x8CE4
+#define GL_COLOR_ATTACHMENT5                               0x8CE5
+#define GL_COLOR_ATTACHMENT6                               0x8CE6
+#define GL_COLOR_ATTACHMENT7                               0x8CE7
+#define GL_COLOR_ATTACHMENT8                               0x8CE8
+#define GL_COLOR_ATTACHMENT9                               0x8CE9
+#define GL_COLOR_ATTACHMENT10                              0x8CEA
+#define GL_COLOR_ATTACHMENT11                              0x8CEB
+#define GL_COLOR_ATTACHMENT12                              0x8CEC
+#define GL_COLOR_ATTACHMENT13                              0x8CED
+#define GL_COLOR_ATTACHMENT14                              0x8CEE
+#define GL_COLOR_ATTACHMENT15                              0x8CEF
+#define GL_DEPTH_ATTACHMENT                                0x8D00
+#define GL_STENCIL_ATTACHMENT                              0x8D20
+#define GL_FRAMEBUFFER                                     0x8D40
+#define GL_RENDERBUFFER                                    0x8D41
+#define GL_MAX_SAMPLES                                     0x8D57
+
+/* Properties of attachments and renderbuffers. */
+#define GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING           0x8210
+#define GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE           0x8211
+#define GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE                 0x8212
+#define GL_FRAMEBUFFER_ATTACHMENT_GREEN_SIZE               0x8213
+#define GL_FRAMEBUFFER_ATTACHMENT_BLUE_SIZE                0x8214
+#define GL_FRAMEBUFFER_ATTACHMENT_ALPHA_SIZE               0x8215
+#define GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE               0x8216
+#define GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE             0x8217
+#define GL_FRAMEBUFFER_DEFAULT                             0x8218
+#define GL_RENDERBUFFER_SAMPLES                            0x8CAB
+#define GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE              0x8CD0
+#define GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME              0x8CD1
+#define GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL            0x8CD2
+#define GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_CUBE_MAP_FACE    0x8CD3
+#define GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LAYER            0x8CD4
+#define GL_RENDERBUFFER_WIDTH                              0x8D42
+#define GL_RENDERBUFFER_HEIGHT                             0x8D43
+#define GL_RENDERBUFFER_INTERNAL_FORMAT                    0x8D44
+#define GL_RENDERBUFFER_RED_SIZE                           0x8D50
+#define GL_RENDERBUFFER_GREEN_SIZE                         0x8D51
+#define GL_RENDERBUFFER_BLUE_SIZE                          0x8D52
+#define GL_RENDERBUFFER_ALPHA_SIZE                         0x8D53
+#define GL_RENDERBUFFER_DEPTH_SIZE                         0x8D54
+#define GL_RENDERBUFFER_STENCIL_SIZE                       0x8D55
+#define GL_UNSIGNED_NORMALIZED                             0x8C17
+
+/* Formats. */
+#define GL_DEPTH_STENCIL                                   0x84F9
+#define GL_UNSIGNED_INT_24_8                               0x84FA
+#define GL_DEPTH24_STENCIL8                                0x88F0
+#define GL_TEXTURE_STENCIL_SIZE                            0x88F1
+#define GL_STENCIL_INDEX1                                  0x8D46
+#define GL_STENCIL_INDEX4                                  0x8D47
+#define GL_STENCIL_INDEX8                                  0x8D48
+#define GL_STENCIL_INDEX16                                 0x8D49
+
+/* Answers of glCheckFramebufferStatus, and the error of drawing or reading when it is not complete. */
+#define GL_INVALID_FRAMEBUFFER_OPERATION                   0x0506
+#define GL_FRAMEBUFFER_UNDEFINED                           0x8219
+#define GL_FRAMEBUFFER_COMPLETE                            0x8CD5
+#define GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT               0x8CD6
+#define GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT       0x8CD7
+#define GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER              0x8CDB
+#define GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER              0x8CDC
+#define GL_FRAMEBUFFER_UNSUPPORTED                         0x8CDD
+#define GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE              0x8D56
+
+#ifdef GL_GLEXT_PROTOTYPES
+GLAPI GLboolean GLAPIENTRY glIsRenderbuffer(GLuint renderbuffer);
+/* As in GL_EXT_framebuffer_object. */
+GLAPI void GLAPIENTRY glBindRenderbuffer(GLenum target, GLuint renderbuffer);
+GLAPI void GLAPIENTRY glDeleteRenderbuffers(GLsizei n, const GLuint *renderbuffers);
+GLAPI void GLAPIENTRY glGenRenderbuffers(GLsizei n, GLuint *renderbuffers);
+GLAPI void GLAPIENTRY glRenderbufferStorage(GLenum target, GLenum internalformat, GLsizei width,
+                                            GLsizei height);
+/* The same with `samples` samples a pixel. GL_INVALID_VALUE: more than GL_MAX_SAMPLES, or fewer than 0. */
+GLAPI void GLAPIENTRY glRenderbufferStorageMultisample(GLenum target, GLsizei samples,
+                                                       GLenum internalformat, GLsizei width, GLsizei height);
+GLAPI void GLAPIENTRY glGetRenderbufferParameteriv(GLenum target, GLenum pname, GLint *params);
+GLAPI GLboolean GLAPIENTRY glIsFramebuffer(GLuint framebuffer);
+/* target: GL_FRAMEBUFFER (both), GL_DRAW_FRAMEBUFFER or GL_READ_FRAMEBUFFER; of the other commands, GL_FRAMEBUFFER is GL_DRAW_FRAMEBUFFER. */
+GLAPI void GLAPIENTRY glBindFramebuffer(GLenum target, GLuint framebuffer);
+GLAPI void GLAPIENTRY glDeleteFramebuffers(GLsizei n, const GLuint *framebuffers);
+GLAPI void GLAPIENTRY glGenFramebuffers(GLsizei n, GLuint *framebuffers);
+GLAPI GLenum GLAPIENTRY glCheckFramebufferStatus(GLenum target);
+GLAPI void GLAPIENTRY glFramebufferTexture1D(GLenum target, GLenum attachment, GLenum textarget,
+                                             GLuint texture, GLint level);
+GLAPI void GLAPIENTRY glFramebufferTexture2D(GLenum target, GLenum attachment, GLenum textarget,
+                                             GLuint texture, GLint level);
+GLAPI void GLAPIENTRY glFramebufferTexture3D(GLenum target, GLenum attachment, GLenum textarget,
+                                             GLuint texture, GLint level, GLint zoffset);
+/* One layer of a 3D texture. GL_INVALID_OPERATION: another texture. */
+GLAPI void GLAPIENTRY glFramebufferTextureLayer(GLenum target, GLenum attachment, GLuint texture,
+                                                GLint level, GLint layer);
+GLAPI void GLAPIENTRY glFramebufferRenderbuffer(GLenum target, GLenum attachment,
+                                                GLenum renderbuffertarget, GLuint renderbuffer);
+GLAPI void GLAPIENTRY glGetFramebufferAttachmentParameteriv(GLenum target, GLenum attachment, GLenum pname,
+                                                            GLint *params);
+GLAPI void GLAPIENTRY glGenerateMipmap(GLenum target);
+/* Copies the buffers in mask from a rectangle of the read framebuffer to one of the draw framebuffer, scaled and turned over as the corners
+ * say; the scissor test applies. filter: GL_NEAREST, or GL_LINEAR for colors. GL_INVALID_VALUE: other bits in mask. GL_INVALID_OPERATION:
+ * GL_LINEAR with depth or stencil; depth or stencil formats that differ. GL_INVALID_FRAMEBUFFER_OPERATION: one is not complete. */
+GLAPI void GLAPIENTRY glBlitFramebuffer(GLint srcX0, GLint srcY0, GLint srcX1, GLint srcY1, GLint dstX0,
+                                        GLint dstY0, GLint dstX1, GLint dstY1, GLbitfield mask,
+                                        GLenum filter);
+#endif
+typedef GLboolean (APIENTRYP PFNGLISRENDERBUFFERPROC)(GLuint renderbuffer);
+typedef void (APIENTRYP PFNGLBINDRENDERBUFFERPROC)(GLenum target, GLuint renderbuffer);
+typedef void (APIENTRYP PFNGLDELETERENDERBUFFERSPROC)(GLsizei n, const GLuint *renderbuffers);
+typedef void (APIENTRYP PFNGLGENRENDERBUFFERSPROC)(GLsizei n, GLuint *renderbuffers);
+typedef void (APIENTRYP PFNGLRENDERBUFFERSTORAGEPROC)(GLenum target, GLenum internalformat, GLsizei width,
+        GLsizei height);
+typedef void (APIENTRYP PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC)(GLenum target, GLsizei samples,
+        GLenum internalformat, GLsizei width, GLsizei height);
+typedef void (APIENTRYP PFNGLGETRENDERBUFFERPARAMETERIVPROC)(GLenum target, GLenum pname, GLint *params);
+typedef GLboolean (APIENTRYP PFNGLISFRAMEBUFFERPROC)(GLuint framebuffer);
+typedef void (APIENTRYP PFNGLBINDFRAMEBUFFERPROC)(GLenum target, GLuint framebuffer);
+typedef void (APIENTRYP PFNGLDELETEFRAMEBUFFERSPROC)(GLsizei n, const GLuint *framebuffers);
+typedef void (APIENTRYP PFNGLGENFRAMEBUFFERSPROC)(GLsizei n, GLuint *framebuffers);
+typedef GLenum (APIENTRYP PFNGLCHECKFRAMEBUFFERSTATUSPROC)(GLenum target);
+typedef void (APIENTRYP PFNGLFRAMEBUFFERTEXTURE1DPROC)(GLenum target, GLenum attachment, GLenum textarget,
+        GLuint texture, GLint level);
+typedef void (APIENTRYP PFNGLFRAMEBUFFERTEXTURE2DPROC)(GLenum target, GLenum attachment, GLenum textarget,
+        GLuint texture, GLint level);
+typedef void (APIENTRYP PFNGLFRAMEBUFFERTEXTURE3DPROC)(GLenum target, GLenum attachment, GLenum textarget,
+        GLuint texture, GLint level, GLint zoffset);
+typedef void (APIENTRYP PFNGLFRAMEBUFFERTEXTURELAYERPROC)(GLenum target, GLenum attachment, GLuint texture,
+        GLint level, GLint layer);
+typedef void (APIENTRYP PFNGLFRAMEBUFFERRENDERBUFFERPROC)(GLenum target, GLenum attachment,
+        GLenum renderbuffertarget, GLuint renderbuffer);
+typedef void (APIENTRYP PFNGLGETFRAMEBUFFERATTACHMENTPARAMETERIVPROC)(GLenum target, GLenum attachment,
+        GLenum pname, GLint *params);
+typedef void (APIENTRYP PFNGLGENERATEMIPMAPPROC)(GLenum target);
+typedef void (APIENTRYP PFNGLBLITFRAMEBUFFERPROC)(GLint srcX0, GLint srcY0, GLint srcX1, GLint srcY1,
+        GLint dstX0, GLint dstY0, GLint dstX1, GLint dstY1, GLbitfield mask, GLenum filter);
+#endif
+
+/* glBlitFramebuffer before it came to OpenGL 3.0. */
+#ifndef GL_EXT_framebuffer_blit
+#define GL_EXT_framebuffer_blit 1
+#define GL_READ_FRAMEBUFFER_EXT                    0x8CA8
+#define GL_DRAW_FRAMEBUFFER_EXT                    0x8CA9
+#define GL_DRAW_FRAMEBUFFER_BINDING_EXT            0x8CA6
+#define GL_READ_FRAMEBUFFER_BINDING_EXT            0x8CAA
+#ifdef GL_GLEXT_PROTOTYPES
+GLAPI void GLAPIENTRY glBlitFramebufferEXT(GLint srcX0, GLint srcY0, GLint srcX1, GLint srcY1, GLint dstX0,
+                                           GLint dstY0, GLint dstX1, GLint dstY1, GLbitfield mask,
+                                           GLenum filter);
+#endif
+typedef void (APIENTRYP PFNGLBLITFRAMEBUFFEREXTPROC)(GLint srcX0, GLint srcY0, GLint srcX1, GLint srcY1,
+        GLint dstX0, GLint dstY0, GLint dstX1, GLint dstY1, GLbitfield mask, GLenum filter);
+#endif
+
 #ifdef __cplusplus
 }
 #endif

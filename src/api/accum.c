@@ -1,5 +1,6 @@
 /* glAccum (GL 1.5, 4.2.4 "The Accumulation Buffer"). */
 #include "api/command.h"
+#include "api/framebuffer_object.h"
 #include "api/set.h"
 #include "framebuffer/accum.h"
 #include "raster/raster.h"
@@ -17,6 +18,8 @@ void fgl_exec_Accum(struct context *ctx, GLenum op, GLfloat value)
 {
     RETURN_ERROR_IF(ctx, op != GL_ACCUM && op != GL_LOAD && op != GL_ADD && op != GL_MULT && op != GL_RETURN,
                     GL_INVALID_ENUM);
+    if (!fgl_draw_ready(ctx))
+        return;
     struct framebuffer *fb = ctx->framebuffer;
     RETURN_ERROR_IF(ctx, !fb || !fb->accum_bits, GL_INVALID_OPERATION);
     fgl_flush_vertices(ctx, 0);

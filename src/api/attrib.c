@@ -5,6 +5,7 @@
 #include "api/buffer.h"
 #include "api/command.h"
 #include "api/enable.h"
+#include "api/framebuffer_object.h"
 #include "api/material.h"
 #include "api/set.h"
 #include "api/texture_attrib.h"
@@ -108,10 +109,12 @@ void fgl_exec_PopAttrib(struct context *ctx)
     fgl_flush_vertices(ctx, 0);
     if (attributes)
         fgl_flush_all(ctx);
+    const GLenum draw_buffer = ctx->s.color_buffer.draw_buffer, read_buffer = ctx->s.pixel_mode.read_buffer;
     for (size_t i = 0; i < FGL_COUNTOF(groups); i++) {
         if (e->mask & groups[i].bit)
             restore_group(ctx, &groups[i], &e->state);
     }
+    fgl_framebuffer_keep_buffers(ctx, draw_buffer, read_buffer);
     if (e->mask & GL_TEXTURE_BIT)
         fgl_textures_restore(ctx, e);
     if (e->mask & GL_ENABLE_BIT)

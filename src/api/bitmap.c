@@ -1,5 +1,6 @@
 /* glBitmap (GL 1.5, 3.7 "Bitmaps"). */
 #include "api/command.h"
+#include "api/framebuffer_object.h"
 #include "api/list.h"
 #include "api/pixel_image.h"
 #include "api/set.h"
@@ -42,7 +43,7 @@ void fgl_bitmap(struct context *ctx, int width, int height, const float origin[2
 {
     struct current_state *current = &ctx->s.current;
     fgl_flush_vertices(ctx, 0);
-    if (!current->raster_position_valid)
+    if (!fgl_draw_ready(ctx) || !current->raster_position_valid)
         return;
     fgl_feedback_raster_position(ctx, GL_BITMAP_TOKEN);
     if (ctx->render_mode == GL_RENDER && ctx->framebuffer && width > 0 && height > 0 && bits) {

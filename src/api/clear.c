@@ -1,6 +1,7 @@
 /* glClear (GL 1.5, 4.2.3 "Clearing the Buffers"): obeys the scissor and the write masks. */
 #include "api/command.h"
 #include "api/errors.h"
+#include "api/framebuffer_object.h"
 #include "framebuffer/accum.h"
 #include "pipeline/explain.h"
 #include "pipeline/pipeline.h"
@@ -26,6 +27,8 @@ void fgl_exec_Clear(struct context *ctx, GLbitfield mask)
     const GLbitfield all = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT;
     RETURN_ERROR_IF(ctx, mask & ~all, GL_INVALID_VALUE);
     fgl_flush_vertices(ctx, 0);
+    if (!fgl_draw_ready(ctx))
+        return;
     struct framebuffer *fb = ctx->framebuffer;
     if (!fb || ctx->render_mode != GL_RENDER)
         return;

@@ -28,7 +28,7 @@ static void set_weights(float *value, size_t channel_step, GLenum base_format, c
     }
 }
 
-static GLenum filter_error(const struct context *ctx, const struct imaging_call *call, int index, struct imaging_format *format)
+static GLenum filter_error(struct context *ctx, const struct imaging_call *call, int index, struct imaging_format *format)
 {
     if (!find_filter(call->target, &(int){0}) || (int)call->target - GL_CONVOLUTION_1D != index)
         return GL_INVALID_ENUM;

@@ -2,6 +2,7 @@
 #include "api/array_source.h"
 #include "api/buffer.h"
 #include "api/errors.h"
+#include "api/framebuffer_object.h"
 #include "api/immediate.h"
 #include "api/list.h"
 #include "pipeline/pipeline.h"
@@ -78,6 +79,8 @@ static void draw_arrays(struct context *ctx, GLenum mode, GLint first, GLsizei c
         compile_elements(ctx, mode, first, count, 0, NULL);
         return;
     }
+    if (!fgl_draw_ready(ctx))
+        return;
     fgl_flush_all(ctx);
     const struct draw_prim prim = {mode, first, count};
     fgl_draw(ctx, &source, &prim, 1, NULL, (uint32_t)first, last);
@@ -211,6 +214,8 @@ static void draw_elements(struct context *ctx, GLenum mode, GLsizei count, GLenu
         compile_elements(ctx, mode, 0, count, type, indices);
         return;
     }
+    if (!fgl_draw_ready(ctx))
+        return;
     fgl_flush_all(ctx);
     struct vertex_source source;
     fgl_array_source(ctx, &source);

@@ -1,6 +1,7 @@
 /* glDrawPixels, glCopyPixels, glPixelZoom (GL 1.5, 3.6.4 "Rasterization of Pixel Rectangles", 4.3.3 "Copying
  * Pixels"). */
 #include "api/command.h"
+#include "api/framebuffer_object.h"
 #include "api/list.h"
 #include "api/pixel_image.h"
 #include "api/set.h"
@@ -261,8 +262,9 @@ static bool is_imaged(const struct context *ctx, const struct pixel_format *form
 
 /* The error of a format that asks for a buffer which the framebuffer does not have; colours cannot be drawn in
  * colour index mode. */
-static GLenum buffer_error(const struct context *ctx, GLenum format)
+static GLenum buffer_error(struct context *ctx, GLenum format)
 {
+    fgl_framebuffer_update(ctx);
     const struct framebuffer *fb = ctx->framebuffer;
     if (ctx->color_index && format != GL_COLOR_INDEX && format != GL_STENCIL_INDEX && format != GL_DEPTH_COMPONENT)
         return GL_INVALID_OPERATION;
@@ -272,7 +274,7 @@ static GLenum buffer_error(const struct context *ctx, GLenum format)
     return GL_NO_ERROR;
 }
 
-static GLenum draw_pixels_error(const struct context *ctx, GLsizei width, GLsizei height, GLenum format,
+static GLenum draw_pixels_error(struct context *ctx, GLsizei width, GLsizei height, GLenum format,
                                 GLenum type)
 {
     if (width < 0 || height < 0)
@@ -286,7 +288,7 @@ static void draw_image(struct context *ctx, int width, int height, GLenum format
                        const struct pixel_store *store, const void *pixels, bool copied)
 {
     fgl_flush_vertices(ctx, 0);
-    if (!ctx->framebuffer || !ctx->s.current.raster_position_valid || width == 0 || height == 0)
+    if (!fgl_draw_ready(ctx) || !ctx->framebuffer || !ctx->s.current.raster_position_valid || width == 0 || height == 0)
         return;
     fgl_feedback_raster_position(ctx, GL_DRAW_PIXEL_TOKEN);
     if (ctx->render_mode != GL_RENDER)
@@ -376,7 +378,7 @@ static GLenum copied_type(const struct framebuffer *fb, GLenum type)
 static void *read_rectangle(const struct context *ctx, int x, int y, int width, int height, GLenum format,
                             GLenum type)
 {
-    const struct framebuffer *fb = ctx->framebuffer;
+    const struct framebuffer *fb = ctx->read_framebuffer;
     void *pixels = calloc(1, fgl_pixel_image_bytes(&fgl_packed_store, format, type, width, height));
     const struct pixel_pack pack = {
             .image = fgl_pixel_image(&fgl_packed_store, format, type, width, pixels),
@@ -408,18 +410,20 @@ void fgl_exec_CopyPixels(struct context *ctx, GLint x, GLint y, GLsizei width, G
     RETURN_ERROR_IF(ctx, type != GL_COLOR && type != GL_DEPTH && type != GL_STENCIL, GL_INVALID_ENUM);
     const GLenum format = copied_format(ctx, type);
     RETURN_ERROR_IF(ctx, buffer_error(ctx, format), GL_INVALID_OPERATION);
-    RETURN_ERROR_IF(ctx, type == GL_COLOR && ctx->s.pixel_mode.read_buffer == GL_NONE, GL_INVALID_OPERATION);
+    if (!fgl_draw_ready(ctx) || !fgl_read_ready(ctx))
+        return;
+    RETURN_ERROR_IF(ctx, type == GL_COLOR && !fgl_framebuffer_reads_color(ctx), GL_INVALID_OPERATION);
     fgl_flush_vertices(ctx, 0);
-    if (!ctx->framebuffer || !ctx->s.current.raster_position_valid || width == 0 || height == 0)
+    if (!ctx->framebuffer || !ctx->read_framebuffer || !ctx->s.current.raster_position_valid || width == 0 || height == 0)
         return;
     fgl_feedback_raster_position(ctx, GL_COPY_PIXEL_TOKEN);
     if (ctx->render_mode != GL_RENDER)
         return;
-    const GLenum component = copied_type(ctx->framebuffer, type);
+    const GLenum component = copied_type(ctx->read_framebuffer, type);
     void *pixels = read_rectangle(ctx, x, y, width, height, format, component);
     RETURN_ERROR_IF(ctx, !pixels, GL_OUT_OF_MEMORY);
     if (type == GL_DEPTH)
-        copied_depths(ctx->framebuffer, pixels, (size_t)width * (size_t)height);
+        copied_depths(ctx->read_framebuffer, pixels, (size_t)width * (size_t)height);
     draw_image(ctx, width, height, format, type == GL_DEPTH ? GL_FLOAT : component, &fgl_packed_store, pixels,
                true);
     free(pixels);

@@ -4,6 +4,7 @@
 #include "api/command.h"
 #include "api/errors.h"
 #include "api/eval_map.h"
+#include "api/framebuffer_object.h"
 #include "api/list.h"
 #include "api/set.h"
 
@@ -284,7 +285,7 @@ static bool has_position(unsigned maps)
 void fgl_exec_EvalMesh1(struct context *ctx, GLenum mode, GLint i1, GLint i2)
 {
     RETURN_ERROR_IF(ctx, mode != GL_POINT && mode != GL_LINE, GL_INVALID_ENUM);
-    if (!has_position(ctx->s.eval.map1_enabled))
+    if (!has_position(ctx->s.eval.map1_enabled) || !fgl_draw_ready(ctx))
         return;
     const struct list_pause pause = fgl_list_pause(ctx);
     const struct mesh m = mesh_of(ctx, 0, (GLint[2]){i1}, (GLint[2]){i2});
@@ -342,7 +343,7 @@ static void mesh_strips(const struct mesh *m)
 void fgl_exec_EvalMesh2(struct context *ctx, GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2)
 {
     RETURN_ERROR_IF(ctx, mode != GL_POINT && mode != GL_LINE && mode != GL_FILL, GL_INVALID_ENUM);
-    if (!has_position(ctx->s.eval.map2_enabled))
+    if (!has_position(ctx->s.eval.map2_enabled) || !fgl_draw_ready(ctx))
         return;
     const struct list_pause pause = fgl_list_pause(ctx);
     const struct mesh m = mesh_of(ctx, 1, (GLint[2]){i1, j1}, (GLint[2]){i2, j2});

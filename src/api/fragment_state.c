@@ -1,6 +1,7 @@
 /* State of the per-fragment operations, of clearing, and fog (GL 1.5, 4.1 "Per-Fragment Operations", 4.2
  * "Whole Framebuffer Operations", 3.10 "Fog"). */
 #include "api/command.h"
+#include "api/framebuffer_object.h"
 #include "api/params.h"
 #include "api/set.h"
 
@@ -167,8 +168,10 @@ void fgl_exec_LogicOp(struct context *ctx, GLenum opcode)
 
 /* OSMesa rule: there is one colour buffer, and the names of the left, the front and the back one are all
  * names of it. */
-static GLenum check_buffer(GLenum buffer)
+static GLenum window_buffer_error(GLenum buffer)
 {
+    if (buffer - GL_COLOR_ATTACHMENT0 <= GL_COLOR_ATTACHMENT15 - GL_COLOR_ATTACHMENT0)
+        return GL_INVALID_OPERATION;
     switch (buffer) {
     case GL_NONE:
     case GL_FRONT_LEFT:
@@ -188,25 +191,35 @@ static GLenum check_buffer(GLenum buffer)
     }
 }
 
-/* OSMesa rule: stored vertices are drawn even when the call changes nothing. */
-static bool accept_buffer(struct context *ctx, GLenum buffer)
+GLenum fgl_buffer_error(const struct context *ctx, GLenum buffer, bool reading)
 {
-    const GLenum error = check_buffer(buffer);
+    const GLenum error = window_buffer_error(buffer);
+    if (buffer == GL_NONE || error == GL_INVALID_ENUM || fgl_framebuffer_is_window(ctx, reading))
+        return error;
+    return buffer - GL_COLOR_ATTACHMENT0 < MAX_COLOR_ATTACHMENTS ? GL_NO_ERROR : GL_INVALID_OPERATION;
+}
+
+/* OSMesa rule: stored vertices are drawn even when the call changes nothing. */
+static bool accept_buffer(struct context *ctx, GLenum buffer, bool reading)
+{
+    const GLenum error = fgl_buffer_error(ctx, buffer, reading);
 
     fgl_flush_vertices(ctx, 0);
     RETURN_VALUE_ERROR_IF(ctx, error, error, false);
+    if (!fgl_framebuffer_is_window(ctx, reading))
+        fgl_framebuffer_unload(ctx);
     return true;
 }
 
 void fgl_exec_DrawBuffer(struct context *ctx, GLenum buf)
 {
-    if (accept_buffer(ctx, buf))
+    if (accept_buffer(ctx, buf, false))
         SET(ctx, DIRTY_FRAMEBUFFER, ctx->s.color_buffer.draw_buffer, buf);
 }
 
 void fgl_exec_ReadBuffer(struct context *ctx, GLenum src)
 {
-    if (accept_buffer(ctx, src))
+    if (accept_buffer(ctx, src, true))
         ctx->s.pixel_mode.read_buffer = src;
 }
 

@@ -3,6 +3,7 @@
 #include "api/command.h"
 #include "api/convert.h"
 #include "api/errors.h"
+#include "api/framebuffer_object.h"
 #include "api/state_table.h"
 
 /* Every state value is exact in a double. */
@@ -34,6 +35,7 @@ static const struct state_row *query(struct context *ctx, GLenum name, double v[
     RETURN_VALUE_ERROR_IF(ctx, !row, GL_INVALID_ENUM, NULL);
 
     if (row->read) {
+        fgl_framebuffer_update(ctx);
         row->read(ctx, v);
         return row;
     }

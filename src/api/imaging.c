@@ -3,6 +3,7 @@
 
 #include "api/command.h"
 #include "api/errors.h"
+#include "api/framebuffer_object.h"
 #include "api/list.h"
 #include "framebuffer/pixel_pack.h"
 #include "texture/format.h"
@@ -29,11 +30,13 @@ GLenum fgl_imaging_pixels_error(GLenum format, GLenum type)
     return fgl_pixel_format(format)->channel[0] <= CHANNEL_LUMINANCE ? GL_NO_ERROR : GL_INVALID_ENUM;
 }
 
-GLenum fgl_imaging_source_error(const struct context *ctx, const struct imaging_call *call)
+GLenum fgl_imaging_source_error(struct context *ctx, const struct imaging_call *call)
 {
     if (!call->copy)
         return fgl_imaging_pixels_error(call->format, call->type);
-    return ctx->framebuffer && ctx->s.pixel_mode.read_buffer != GL_NONE ? GL_NO_ERROR : GL_INVALID_OPERATION;
+    if (!fgl_read_ready(ctx))
+        return GL_INVALID_FRAMEBUFFER_OPERATION;
+    return ctx->read_framebuffer && fgl_framebuffer_reads_color(ctx) ? GL_NO_ERROR : GL_INVALID_OPERATION;
 }
 
 int fgl_imaging_size(const struct imaging_format *format, unsigned component)
@@ -53,7 +56,7 @@ static bool read_colors(struct context *ctx, const struct imaging_call *call, co
 {
     if (call->copy) {
         fgl_flush_vertices(ctx, 0);
-        return fgl_colors_fetch(ctx->framebuffer, &fgl_no_transfer, ctx->pixel_map, call->x, call->y, width, height, out);
+        return fgl_colors_fetch(ctx->read_framebuffer, &fgl_no_transfer, ctx->pixel_map, call->x, call->y, width, height, out);
     }
     if (!pixels->image[which]) {
         const size_t n = (size_t)width * (size_t)height;

@@ -40,7 +40,7 @@ static inline bool fgl_imaging_width(int width)
 /* The error of formats and types of images that are given or returned: colours only. */
 GLenum fgl_imaging_pixels_error(GLenum format, GLenum type);
 /* The same for a call, which may read from the framebuffer. */
-GLenum fgl_imaging_source_error(const struct context *ctx, const struct imaging_call *call);
+GLenum fgl_imaging_source_error(struct context *ctx, const struct imaging_call *call);
 
 /* An image of a call, each component scaled and biased; a NULL pointer is an image of zeros. False after recording
  * GL_OUT_OF_MEMORY. out->color is to be freed. */

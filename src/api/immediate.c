@@ -1,6 +1,7 @@
 /* Immediate mode: the vertex store, its format, Begin and End. See immediate.h for the rules that it follows. */
 #include "api/immediate.h"
 #include "api/errors.h"
+#include "api/framebuffer_object.h"
 #include "api/list.h"
 #include "api/material.h"
 
@@ -414,7 +415,7 @@ void GLAPIENTRY glBegin(GLenum mode)
         fgl_command_error(ctx, GL_INVALID_OPERATION);
     else if (mode > GL_POLYGON)
         fgl_command_error(ctx, GL_INVALID_ENUM);
-    else
+    else if (ctx->vertices->compiling || fgl_draw_ready(ctx))
         fgl_begin(ctx, mode);
 }
 

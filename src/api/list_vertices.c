@@ -1,6 +1,7 @@
 /* Vertices in display lists: recorded as a ready batch, drawn straight from the list (GL 1.5, 5.4).
  * A batch whose primitives begin or end outside the list, or that is called inside Begin/End, is replayed vertex by vertex. */
 #include "api/errors.h"
+#include "api/framebuffer_object.h"
 #include "api/list.h"
 
 #include <string.h>
@@ -78,6 +79,8 @@ void fgl_list_record_vertices(struct context *ctx, struct immediate *im)
 void fgl_list_replay_vertices(struct context *ctx, void *payload)
 {
     struct compiled_vertices *c = payload;
+    if (!fgl_draw_ready(ctx))
+        return;
     if (!c->whole || ctx->begin_mode != OUTSIDE_BEGIN_END) {
         replay_by_vertex(ctx, c);
         return;

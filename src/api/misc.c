@@ -1,6 +1,7 @@
 /* Errors, flushing, and what FixedGL adds (GL 1.5, 2.5 "GL Errors", 5.5 "Flush and Finish"). */
 #include "api/command.h"
 #include "api/errors.h"
+#include "api/framebuffer_object.h"
 
 #include "fixedgl.h"
 #include "pipeline/explain.h"
@@ -21,7 +22,7 @@ GLenum GLAPIENTRY glGetError(void)
 
 void fgl_exec_Flush(struct context *ctx)
 {
-    fgl_flush_vertices(ctx, 0);
+    fgl_framebuffer_store(ctx);
     if (ctx->present)
         ctx->present(ctx);
     if (FGL_UNLIKELY(ctx->pipeline->explain != NULL))

@@ -1,6 +1,7 @@
 /* glReadPixels (GL 1.5, 4.3.2 "Reading Pixels"). */
 #include "api/command.h"
 #include "api/errors.h"
+#include "api/framebuffer_object.h"
 #include "framebuffer/imaging.h"
 #include "framebuffer/pixel_pack.h"
 
@@ -9,12 +10,12 @@
 /* Whether the framebuffer has what the format asks for. */
 static bool buffer_exists(const struct context *ctx, GLenum format)
 {
-    const struct framebuffer *fb = ctx->framebuffer;
+    const struct framebuffer *fb = ctx->read_framebuffer;
     switch (format) {
     case GL_DEPTH_COMPONENT: return fb->depth_bits > 0;
     case GL_STENCIL_INDEX: return fb->stencil_bits > 0;
-    case GL_COLOR_INDEX: return ctx->color_index && ctx->s.pixel_mode.read_buffer != GL_NONE;
-    default: return ctx->s.pixel_mode.read_buffer != GL_NONE;
+    case GL_COLOR_INDEX: return ctx->color_index && fgl_framebuffer_reads_color(ctx);
+    default: return fgl_framebuffer_reads_color(ctx);
     }
 }
 
@@ -47,7 +48,9 @@ void fgl_exec_ReadPixels(struct context *ctx, GLint x, GLint y, GLsizei width, G
     fgl_flush_vertices(ctx, 0);
     if (ctx->dirty & DIRTY_MODELVIEW) /* OSMesa rule: reading validates, and validation classifies the matrix */
         (void)fgl_matrix_class(fgl_matrix_top(&ctx->modelview));
-    const struct framebuffer *fb = ctx->framebuffer;
+    if (!fgl_read_ready(ctx))
+        return;
+    const struct framebuffer *fb = ctx->read_framebuffer;
     RETURN_ERROR_IF(ctx, !fb || !buffer_exists(ctx, format), GL_INVALID_OPERATION);
 
     if (fgl_pixel_format(format)->channel[0] <= CHANNEL_LUMINANCE && fgl_imaging_active(ctx)) {

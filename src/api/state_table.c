@@ -2,6 +2,7 @@
 #include "api/state_table.h"
 
 #include "api/buffer.h"
+#include "api/framebuffer_object.h"
 #include "api/list.h"
 #include "base/color_index.h"
 #include "fixedgl.h"
@@ -149,29 +150,39 @@ static void list_index(const struct context *ctx, double *v)
     *v = fgl_list_index(ctx);
 }
 
-/* Bits of red (also of blue), green and alpha by enum color_kind. */
-static const uint8_t red_bits_of[] = {8, 16, 32, 5, 0}, green_bits_of[] = {8, 16, 32, 6, 0},
-                     alpha_bits_of[] = {8, 16, 32, 0, 0};
-
 static void red_bits(const struct context *ctx, double *v)
 {
-    *v = ctx->framebuffer ? red_bits_of[ctx->framebuffer->color_kind] : 0;
-}
-
-static void blue_bits(const struct context *ctx, double *v)
-{
-    red_bits(ctx, v);
+    *v = fgl_framebuffer_color_bits(ctx, 0);
 }
 
 static void green_bits(const struct context *ctx, double *v)
 {
-    *v = ctx->framebuffer ? green_bits_of[ctx->framebuffer->color_kind] : 0;
+    *v = fgl_framebuffer_color_bits(ctx, 1);
+}
+
+static void blue_bits(const struct context *ctx, double *v)
+{
+    *v = fgl_framebuffer_color_bits(ctx, 2);
 }
 
 static void alpha_bits(const struct context *ctx, double *v)
 {
-    const struct framebuffer *fb = ctx->framebuffer;
-    *v = fb && fb->has_alpha ? alpha_bits_of[fb->color_kind] : 0;
+    *v = fgl_framebuffer_color_bits(ctx, 3);
+}
+
+static void draw_framebuffer_binding(const struct context *ctx, double *v)
+{
+    *v = ctx->framebuffers ? ctx->framebuffers->draw->name : 0;
+}
+
+static void read_framebuffer_binding(const struct context *ctx, double *v)
+{
+    *v = ctx->framebuffers ? ctx->framebuffers->read->name : 0;
+}
+
+static void renderbuffer_binding(const struct context *ctx, double *v)
+{
+    *v = ctx->framebuffers && ctx->framebuffers->renderbuffer ? ctx->framebuffers->renderbuffer->name : 0;
 }
 
 static void rgba_mode(const struct context *ctx, double *v)

@@ -2,6 +2,7 @@
  * pixels, through pixel transfer. */
 #include "api/command.h"
 #include "api/errors.h"
+#include "api/framebuffer_object.h"
 #include "api/texture_image.h"
 #include "base/unorm.h"
 #include "framebuffer/imaging.h"
@@ -17,10 +18,10 @@ struct source_rect {
 
 static GLenum source_error(const struct context *ctx, GLenum internal_format)
 {
-    const struct framebuffer *fb = ctx->framebuffer;
+    const struct framebuffer *fb = ctx->read_framebuffer;
     const struct texture_format *f = fgl_texture_format(internal_format);
     const bool depth = f && f->kind == TEXELS_DEPTH;
-    if (!fb || (depth ? !fb->depth_bits : ctx->s.pixel_mode.read_buffer == GL_NONE))
+    if (!fb || (depth ? !fb->depth_bits : !fgl_framebuffer_reads_color(ctx)))
         return GL_INVALID_OPERATION;
     return GL_NO_ERROR;
 }
@@ -34,8 +35,8 @@ static void copy_depths(struct context *ctx, struct texture_image *image, int x,
             .mode = &ctx->s.pixel_mode,
             .maps = ctx->pixel_map,
     };
-    fgl_pack_row(&pack, ctx->framebuffer, x, y, n, 0, 0);
-    const int have = ctx->framebuffer->depth_bits, bits = image->format->bits[0];
+    fgl_pack_row(&pack, ctx->read_framebuffer, x, y, n, 0, 0);
+    const int have = ctx->read_framebuffer->depth_bits, bits = image->format->bits[0];
     const float max = (float)fgl_unorm_max(bits);
     for (int i = 0; i < n; i++) { /* OSMesa rule: through a float, as if drawn */
         const float f = fgl_clamp01(fgl_unorm_to_float(depth[i] >> (32 - have), have));
@@ -59,7 +60,7 @@ static void copy_colors(struct context *ctx, struct texture_image *image, int x,
             .mode = &ctx->s.pixel_mode,
             .maps = ctx->pixel_map,
     };
-    fgl_pack_row(&pack, ctx->framebuffer, x, y, n, 0, 0);
+    fgl_pack_row(&pack, ctx->read_framebuffer, x, y, n, 0, 0);
     for (int i = 0; i < n; i++)
         for (int c = 0; c < 4; c++)
             plane[c][i] = pixel[4 * i + c];
@@ -70,7 +71,7 @@ static void copy_colors(struct context *ctx, struct texture_image *image, int x,
 /* What lies outside of the framebuffer is undefined: its texels stay as they are. */
 static void copy(struct context *ctx, struct texture_image *image, struct source_rect from, int to_x, int to_y, int to_z)
 {
-    const struct framebuffer *fb = ctx->framebuffer;
+    const struct framebuffer *fb = ctx->read_framebuffer;
     const int64_t right = (int64_t)from.x + from.width, top = (int64_t)from.y + from.height;
     const int x0 = fgl_max(from.x, 0), x1 = right < fb->width ? (int)right : fb->width;
     const int y0 = fgl_max(from.y, 0), y1 = top < fb->height ? (int)top : fb->height;
@@ -137,6 +138,8 @@ static void copy_image(struct context *ctx, struct texture_call *call, int x, in
     RETURN_ERROR_IF(ctx, format <= 4 || !fgl_texture_format(format), GL_INVALID_ENUM);
     GLenum error = fgl_texture_define_error(call, &t, &too_large);
     RETURN_ERROR_IF(ctx, error, error);
+    if (!fgl_read_ready(ctx))
+        return;
     error = source_error(ctx, format);
     RETURN_ERROR_IF(ctx, error, error);
     fgl_flush_vertices(ctx, 0);
@@ -161,9 +164,11 @@ static void copy_sub_image(struct context *ctx, struct texture_call *call, int x
     reduce(ctx, call, image->internal_format);
     GLenum error = fgl_texture_part_error(call, image);
     RETURN_ERROR_IF(ctx, error, error);
+    if (!fgl_read_ready(ctx))
+        return;
     error = source_error(ctx, image->internal_format);
     RETURN_ERROR_IF(ctx, error, error);
-    fgl_flush_vertices(ctx, DIRTY_TEXTURE);
+    fgl_texture_touch_image(ctx, fgl_bound_texture(ctx, t.target));
     if (is_imaged(ctx, image))
         copy_imaged(ctx, image, call, from);
     else

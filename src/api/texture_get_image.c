@@ -1,6 +1,7 @@
 /* glGetTexImage (GL 1.5, 6.1.4 "Texture Queries"). */
 #include "api/command.h"
 #include "api/errors.h"
+#include "api/framebuffer_object.h"
 #include "api/texture_image.h"
 #include "framebuffer/pixel_pack.h"
 
@@ -55,6 +56,7 @@ void fgl_exec_GetTexImage(struct context *ctx, GLenum target, GLint level, GLenu
     RETURN_ERROR_IF(ctx, error, error);
     if (!image->texels || !pixels)
         return;
+    fgl_framebuffer_unload_texture(ctx, fgl_bound_texture(ctx, t.target));
     const struct pixel_store *store = &ctx->client.pack;
     const struct pixel_image whole = fgl_pixel_image(store, format, type, image->width, pixels);
     struct pixel_pack pack = {.mode = &ctx->s.pixel_mode, .maps = ctx->pixel_map};

@@ -232,7 +232,7 @@ static void execute_sub_image(struct context *ctx, const struct texture_call *ca
     RETURN_ERROR_IF(ctx, error, error);
     if (!source->pixels)
         return;
-    fgl_flush_vertices(ctx, DIRTY_TEXTURE);
+    fgl_texture_touch_image(ctx, fgl_bound_texture(ctx, t.target));
     store_image(ctx, call, source, fgl_target_image(ctx, &t, call->level));
     fgl_texture_after_change(ctx, &t, call->level);
 }

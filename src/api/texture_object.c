@@ -1,5 +1,6 @@
 /* Texture objects (GL 1.5, 3.8.11 "Texture Objects") and the active unit (2.7, 3.8.14). */
 #include "api/command.h"
+#include "api/framebuffer_object.h"
 #include "api/list.h"
 #include "api/set.h"
 #include "api/texture_target.h"
@@ -46,6 +47,7 @@ void fgl_exec_DeleteTextures(struct context *ctx, GLsizei n, const GLuint *textu
         if (!object || object == &fgl_texture_unbound)
             continue;
         unbind(ctx, object);
+        fgl_framebuffer_detach(ctx, object, NULL);
         fgl_texture_release(object);
     }
 }

@@ -2,6 +2,7 @@
 #include "api/texture_target.h"
 
 #include "api/errors.h"
+#include "api/framebuffer_object.h"
 
 bool fgl_texture_target(GLenum target, enum texture_target *out)
 {
@@ -56,8 +57,14 @@ int fgl_texture_levels(enum texture_target target)
     return target == TEXTURE_3D ? FGL_MAX_3D_TEXTURE_LEVELS : FGL_MAX_TEXTURE_LEVELS;
 }
 
+void fgl_texture_touch_image(struct context *ctx, const struct texture_object *object)
+{
+    fgl_framebuffer_unload_texture(ctx, object);
+    fgl_flush_vertices(ctx, DIRTY_TEXTURE);
+}
+
 void fgl_texture_touch(struct context *ctx, struct texture_object *object)
 {
-    fgl_flush_vertices(ctx, DIRTY_TEXTURE);
+    fgl_texture_touch_image(ctx, object);
     fgl_texture_changed(object);
 }

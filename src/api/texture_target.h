@@ -27,6 +27,8 @@ int fgl_texture_levels(enum texture_target target);
 
 /* Before an image or a parameter of the object changes: what waits is drawn with the old, what follows with the new. */
 void fgl_texture_touch(struct context *ctx, struct texture_object *object);
+/* The same when no more than texels change. */
+void fgl_texture_touch_image(struct context *ctx, const struct texture_object *object);
 
 /* Executes the payload of a node of glPrioritizeTextures. */
 void fgl_list_replay_prioritize(struct context *ctx, const void *payload);

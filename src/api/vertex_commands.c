@@ -2,6 +2,7 @@
  * "Rectangles"): conversions of table 2.9 in OSMesa's arithmetic, then the vertex store. They may be called inside and outside Begin/End. */
 #include "api/convert.h"
 #include "api/errors.h"
+#include "api/framebuffer_object.h"
 #include "api/immediate.h"
 #include "api/list.h"
 
@@ -190,7 +191,7 @@ static void rect(float x1, float y1, float x2, float y2)
     struct context *ctx = fgl_current;
     if (!ctx)
         return;
-    if (fgl_refused_inside(ctx))
+    if (fgl_refused_inside(ctx) || (!ctx->vertices->compiling && !fgl_draw_ready(ctx)))
         return;
     fgl_begin(ctx, GL_QUADS);
     const float corner[4][2] = {{x1, y1}, {x2, y1}, {x2, y2}, {x1, y2}};

@@ -196,6 +196,6 @@ bool fgl_imaging_unpack(struct context *ctx, const struct pixel_unpack *unpack, 
 
 bool fgl_imaging_fetch(struct context *ctx, int x, int y, int width, int height, int dimensions, struct color_image *out)
 {
-    return fgl_colors_fetch(ctx->framebuffer, &ctx->s.pixel_mode, ctx->pixel_map, x, y, width, height, out) &&
+    return fgl_colors_fetch(ctx->read_framebuffer, &ctx->s.pixel_mode, ctx->pixel_map, x, y, width, height, out) &&
            finish(ctx, dimensions, out);
 }

@@ -4,6 +4,7 @@
 #include "api/buffer.h"
 #include "api/errors.h"
 #include "api/eval_map.h"
+#include "api/framebuffer_object.h"
 #include "api/immediate.h"
 #include "api/list.h"
 #include "api/proc_address.h"
@@ -63,11 +64,14 @@ static bool init_context(struct osmesa_context *c, OSMesaContext share)
         fgl_list_store_retain(share->gl.lists);
         fgl_buffer_store_retain(share->gl.buffers);
         fgl_texture_store_retain(share->gl.textures);
+        fgl_renderbuffer_store_retain(share->gl.renderbuffers);
     }
     ctx->buffers = share ? share->gl.buffers : fgl_buffer_store_create();
     ctx->lists = share ? share->gl.lists : fgl_list_store_create();
+    ctx->renderbuffers = share ? share->gl.renderbuffers : fgl_renderbuffer_store_create();
     ctx->textures = share ? share->gl.textures : fgl_texture_store_create();
-    return ctx->immediate && ctx->pipeline && ctx->lists && ctx->buffers && ctx->textures && fgl_texture_context_init(ctx);
+    return ctx->immediate && ctx->pipeline && ctx->lists && ctx->buffers && ctx->textures && ctx->renderbuffers &&
+           fgl_texture_context_init(ctx);
 }
 
 static OSMesaContext create(GLenum format, int depth, int stencil, int accum, OSMesaContext share)
@@ -135,6 +139,8 @@ void GLAPIENTRY OSMesaDestroyContext(OSMesaContext c)
         fgl_current = NULL;
     fgl_list_compiler_destroy(&c->gl);
     fgl_list_store_release(c->gl.lists);
+    fgl_framebuffers_destroy(&c->gl);
+    fgl_renderbuffer_store_release(c->gl.renderbuffers);
     fgl_texture_context_free(&c->gl);
     fgl_texture_store_release(c->gl.textures);
     fgl_queries_destroy(&c->gl);
@@ -186,7 +192,7 @@ GLboolean GLAPIENTRY OSMesaMakeCurrent(OSMesaContext c, void *buffer, GLenum typ
 {
     if (!c && !buffer) {
         if (fgl_current)
-            fgl_flush_vertices(fgl_current, 0);
+            fgl_framebuffer_store(fgl_current);
         fgl_current = NULL;
         return GL_TRUE;
     }
@@ -194,14 +200,14 @@ GLboolean GLAPIENTRY OSMesaMakeCurrent(OSMesaContext c, void *buffer, GLenum typ
     if (!c || !buffer || width < 1 || height < 1 || width > MAX_SIZE || height > MAX_SIZE || !choose_kind(c->format, type, &kind))
         return GL_FALSE;
     if (fgl_current)
-        fgl_flush_vertices(fgl_current, 0);
+        fgl_framebuffer_store(fgl_current);
     if (!fgl_framebuffer_resize(&c->fb, width, height, kind))
         return GL_FALSE;
     free(c->depth_snapshot);
     c->depth_snapshot = NULL;
     c->buffer = buffer;
     c->type = type;
-    c->gl.framebuffer = &c->fb;
+    fgl_framebuffer_set_window(&c->gl, &c->fb);
     set_initial_window(&c->gl, width, height);
     c->gl.dirty = DIRTY_ALL;
     fgl_current = &c->gl;

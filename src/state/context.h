@@ -361,7 +361,11 @@ struct context {
     struct eval_maps *eval_maps;     /* api/eval_map.h: allocated when first used */
     struct imaging *imaging;         /* framebuffer/imaging.h: allocated when first used */
     struct pipeline *pipeline;       /* pipeline/pipeline.h: the plan and its work space */
-    struct framebuffer *framebuffer; /* framebuffer/framebuffer.h; NULL until OSMesaMakeCurrent */
+    struct framebuffer *window;      /* framebuffer/framebuffer.h: that of OSMesaMakeCurrent; NULL until then */
+    struct framebuffer *framebuffer; /* what is drawn to: the window, or the planes of a framebuffer object; NULL: nothing */
+    struct framebuffer *read_framebuffer; /* what is read from, likewise */
+    struct framebuffers *framebuffers;    /* api/framebuffer_object.h: allocated when first used */
+    struct renderbuffer_store *renderbuffers; /* api/renderbuffer.h: shared as lists are */
     struct osmesa_context *osmesa;   /* osmesa/osmesa.c */
     void (*present)(struct context *); /* copies the picture to the caller's buffer, at glFlush and glFinish; may be NULL */
 };

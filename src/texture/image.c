@@ -19,6 +19,7 @@ static bool multiply(size_t *product, size_t factor)
 void fgl_texture_image_clear(struct texture_image *image)
 {
     free(image->texels);
+    free(image->stencil);
     *image = (struct texture_image){0};
 }
 
@@ -41,7 +42,7 @@ bool fgl_texture_image_define(struct texture_image *image, enum texture_target t
         return false;
     if (!proxy && bytes && !(new.texels = calloc(1, bytes)))
         return false;
-    free(image->texels);
+    fgl_texture_image_clear(image);
     *image = new;
     return true;
 }

@@ -1,5 +1,5 @@
 /* Texture objects: names, references, bindings (GL 1.5, 3.8.11 "Texture Objects"). */
-#include "texture/texture.h"
+#include "texture/image.h"
 
 #include <stdlib.h>
 
@@ -42,7 +42,7 @@ void fgl_texture_release(struct texture_object *object)
         return;
     for (int face = 0; face < TEXTURE_MAX_FACES; face++)
         for (int level = 0; level < FGL_MAX_TEXTURE_LEVELS; level++)
-            free(object->image[face][level].texels);
+            fgl_texture_image_clear(&object->image[face][level]);
     free(object);
 }
 
