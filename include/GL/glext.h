@@ -1488,6 +1488,132 @@ typedef void (APIENTRYP PFNGLTEXSUBIMAGE3DEXTPROC)(GLenum target, GLint level, G
 #define GL_TEXTURE_LOD_BIAS_EXT                    0x8501
 #endif
 
+/* Textures of floats of 16 or 32 bits: texels are neither clamped nor, with 32 bits, rounded. GL_TEXTURE_*_TYPE_ARB, of
+ * glGetTexLevelParameter: what the bits of a channel mean. */
+#ifndef GL_ARB_texture_float
+#define GL_ARB_texture_float 1
+#define GL_TEXTURE_RED_TYPE_ARB                    0x8C10
+#define GL_TEXTURE_GREEN_TYPE_ARB                  0x8C11
+#define GL_TEXTURE_BLUE_TYPE_ARB                   0x8C12
+#define GL_TEXTURE_ALPHA_TYPE_ARB                  0x8C13
+#define GL_TEXTURE_LUMINANCE_TYPE_ARB              0x8C14
+#define GL_TEXTURE_INTENSITY_TYPE_ARB              0x8C15
+#define GL_TEXTURE_DEPTH_TYPE_ARB                  0x8C16
+#define GL_UNSIGNED_NORMALIZED_ARB                 0x8C17
+#define GL_RGBA32F_ARB                             0x8814
+#define GL_RGB32F_ARB                              0x8815
+#define GL_ALPHA32F_ARB                            0x8816
+#define GL_INTENSITY32F_ARB                        0x8817
+#define GL_LUMINANCE32F_ARB                        0x8818
+#define GL_LUMINANCE_ALPHA32F_ARB                  0x8819
+#define GL_RGBA16F_ARB                             0x881A
+#define GL_RGB16F_ARB                              0x881B
+#define GL_ALPHA16F_ARB                            0x881C
+#define GL_INTENSITY16F_ARB                        0x881D
+#define GL_LUMINANCE16F_ARB                        0x881E
+#define GL_LUMINANCE_ALPHA16F_ARB                  0x881F
+#endif
+
+/* Textures of red, or red and green, alone: drawn as (R, 0, 0, 1), (R, G, 0, 1). The integer formats are not accepted. */
+#ifndef GL_ARB_texture_rg
+#define GL_ARB_texture_rg 1
+#define GL_RG                                      0x8227
+#define GL_RG_INTEGER                              0x8228
+#define GL_R8                                      0x8229
+#define GL_R16                                     0x822A
+#define GL_RG8                                     0x822B
+#define GL_RG16                                    0x822C
+#define GL_R16F                                    0x822D
+#define GL_R32F                                    0x822E
+#define GL_RG16F                                   0x822F
+#define GL_RG32F                                   0x8230
+#define GL_R8I                                     0x8231
+#define GL_R8UI                                    0x8232
+#define GL_R16I                                    0x8233
+#define GL_R16UI                                   0x8234
+#define GL_R32I                                    0x8235
+#define GL_R32UI                                   0x8236
+#define GL_RG8I                                    0x8237
+#define GL_RG8UI                                   0x8238
+#define GL_RG16I                                   0x8239
+#define GL_RG16UI                                  0x823A
+#define GL_RG32I                                   0x823B
+#define GL_RG32UI                                  0x823C
+#endif
+
+/* Textures of signed integers that stand for -1 to 1. */
+#ifndef GL_EXT_texture_snorm
+#define GL_EXT_texture_snorm 1
+#define GL_ALPHA_SNORM                             0x9010
+#define GL_LUMINANCE_SNORM                         0x9011
+#define GL_LUMINANCE_ALPHA_SNORM                   0x9012
+#define GL_INTENSITY_SNORM                         0x9013
+#define GL_ALPHA8_SNORM                            0x9014
+#define GL_LUMINANCE8_SNORM                        0x9015
+#define GL_LUMINANCE8_ALPHA8_SNORM                 0x9016
+#define GL_INTENSITY8_SNORM                        0x9017
+#define GL_ALPHA16_SNORM                           0x9018
+#define GL_LUMINANCE16_SNORM                       0x9019
+#define GL_LUMINANCE16_ALPHA16_SNORM               0x901A
+#define GL_INTENSITY16_SNORM                       0x901B
+#define GL_RED_SNORM                               0x8F90
+#define GL_RG_SNORM                                0x8F91
+#define GL_RGB_SNORM                               0x8F92
+#define GL_RGBA_SNORM                              0x8F93
+#define GL_R8_SNORM                                0x8F94
+#define GL_RG8_SNORM                               0x8F95
+#define GL_RGB8_SNORM                              0x8F96
+#define GL_RGBA8_SNORM                             0x8F97
+#define GL_R16_SNORM                               0x8F98
+#define GL_RG16_SNORM                              0x8F99
+#define GL_RGB16_SNORM                             0x8F9A
+#define GL_RGBA16_SNORM                            0x8F9B
+#define GL_SIGNED_NORMALIZED                       0x8F9C
+#endif
+
+/* Textures of 8 bits whose colours, but not alpha, are stored by the sRGB curve, and drawn with as linear ones. */
+#ifndef GL_EXT_texture_sRGB
+#define GL_EXT_texture_sRGB 1
+#define GL_SRGB_EXT                                0x8C40
+#define GL_SRGB8_EXT                               0x8C41
+#define GL_SRGB_ALPHA_EXT                          0x8C42
+#define GL_SRGB8_ALPHA8_EXT                        0x8C43
+#define GL_SLUMINANCE_ALPHA_EXT                    0x8C44
+#define GL_SLUMINANCE8_ALPHA8_EXT                  0x8C45
+#define GL_SLUMINANCE_EXT                          0x8C46
+#define GL_SLUMINANCE8_EXT                         0x8C47
+#define GL_COMPRESSED_SRGB_EXT                     0x8C48
+#define GL_COMPRESSED_SRGB_ALPHA_EXT               0x8C49
+#define GL_COMPRESSED_SLUMINANCE_EXT               0x8C4A
+#define GL_COMPRESSED_SLUMINANCE_ALPHA_EXT         0x8C4B
+#endif
+
+/* Textures and pixels of three floats without sign in 32 bits: 11, 11 and 10 of them. */
+#ifndef GL_EXT_packed_float
+#define GL_EXT_packed_float 1
+#define GL_R11F_G11F_B10F_EXT                      0x8C3A
+#define GL_UNSIGNED_INT_10F_11F_11F_REV_EXT        0x8C3B
+#define GL_RGBA_SIGNED_COMPONENTS_EXT              0x8C3C
+#endif
+
+/* Textures and pixels of three mantissas of 9 bits with one exponent. */
+#ifndef GL_EXT_texture_shared_exponent
+#define GL_EXT_texture_shared_exponent 1
+#define GL_RGB9_E5_EXT                             0x8C3D
+#define GL_UNSIGNED_INT_5_9_9_9_REV_EXT            0x8C3E
+#define GL_TEXTURE_SHARED_SIZE_EXT                 0x8C3F
+#endif
+
+/* Buffer objects that pixels are read from (unpack) and written to (pack): while one is bound, the pointers to pixels of commands are offsets
+ * into it. GL_INVALID_OPERATION: the pixels do not fit in it, or it is mapped. */
+#ifndef GL_ARB_pixel_buffer_object
+#define GL_ARB_pixel_buffer_object 1
+#define GL_PIXEL_PACK_BUFFER_ARB                   0x88EB
+#define GL_PIXEL_UNPACK_BUFFER_ARB                 0x88EC
+#define GL_PIXEL_PACK_BUFFER_BINDING_ARB           0x88ED
+#define GL_PIXEL_UNPACK_BUFFER_BINDING_ARB         0x88EF
+#endif
+
 /* Mirrored images, as in OpenGL 1.4. */
 #ifndef GL_IBM_texture_mirrored_repeat
 #define GL_IBM_texture_mirrored_repeat 1

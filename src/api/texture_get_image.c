@@ -24,7 +24,7 @@ static void load_run(const struct texture_image *image, bool to_bytes, int x, in
     const int bits = f->base_format == GL_ALPHA ? f->bits[3] : f->bits[0];
     uint32_t *const integers[4] = {row->integer[0], row->integer[1], row->integer[2], row->integer[3]};
     float *const floats[4] = {row->color.channel[0], row->color.channel[1], row->color.channel[2], row->color.channel[3]};
-    row->bits = bits == 16 ? 16 : bits == 8 || (bits < 8 && to_bytes) ? 8 : 0;
+    row->bits = f->encoding == ENCODED_SRGB ? 8 : f->encoding != ENCODED_UNORM ? 0 : bits == 16 ? 16 : bits == 8 || (bits < 8 && to_bytes) ? 8 : 0;
     if (row->bits)
         fgl_texture_load_integers(image, x, y, z, n, integers);
     else

@@ -29,7 +29,7 @@ static bool size_fits(const struct texture_call *call, int levels, int size)
 /* OSMesa rule: proxies refuse images of more than 2^30 bytes. */
 static bool is_beyond_memory(const struct texture_call *call)
 {
-    const double texel_bytes = 4, most = 1 << 30;
+    const double texel_bytes = (double)fgl_texel_bytes(fgl_texture_format((GLenum)call->internal_format)->kind), most = 1 << 30;
     return texel_bytes * call->width * fgl_max(call->height, 1) * fgl_max(call->depth, 1) > most;
 }
 
@@ -114,8 +114,10 @@ struct pixel_source {
 /* OSMesa rule: integers are brought to the texels' precision before anything else: 16 bits to 16, at most 8 through 8, 10 as floats. */
 static enum unpack_steps steps_of(const struct texture_format *format)
 {
-    if (format->kind == TEXELS_UNORM8)
+    if (format->kind == TEXELS_UNORM8 || format->encoding == ENCODED_SRGB)
         return UNPACK_UNORM8;
+    if (format->encoding != ENCODED_UNORM)
+        return UNPACK_FLOAT;
     return format->bits[0] == 10 ? UNPACK_FLOAT : UNPACK_UNORM16;
 }
 
@@ -125,11 +127,33 @@ static bool through_bytes(const struct context *ctx, const struct texture_format
 {
     if (format == GL_COLOR_INDEX)
         return true;
-    if (fgl_transfer_color_active(&ctx->s.pixel_mode))
+    if (fgl_transfer_color_active(&ctx->s.pixel_mode) || texels->encoding != ENCODED_UNORM)
         return false;
     if (texels->kind == TEXELS_UNORM8)
         return texels->bits[0] != 8 && !(format == GL_RGBA && type == GL_FLOAT);
     return format == GL_RGBA && (type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_INT_8_8_8_8_REV);
+}
+
+/* Whether pixels are bytes that become texels as they are. */
+static bool are_texels(const struct pixel_unpack *unpack, const struct texture_format *format)
+{
+    return unpack->image.type->type == GL_UNSIGNED_BYTE && unpack->image.format->format != GL_COLOR_INDEX &&
+           fgl_texture_format_keeps_bytes(format) && !fgl_transfer_color_active(unpack->mode);
+}
+
+static void store_bytes(const struct pixel_unpack *unpack, struct texture_image *image, int row, int column, int n, int x,
+                        int y, int z)
+{
+    const struct pixel_format *format = unpack->image.format;
+    const size_t step = unpack->image.pixel_bytes;
+    int place[4] = {-1, -1, -1, -1};
+    for (int c = 0; c < format->components; c++) {
+        if (format->channel[c] == CHANNEL_LUMINANCE)
+            place[0] = place[1] = place[2] = c;
+        else
+            place[format->channel[c]] = c;
+    }
+    fgl_texture_store_bytes(image, x, y, z, n, fgl_pixel_row(&unpack->image, row) + (size_t)column * step, step, place);
 }
 
 /* n pixels of a row, from `column` on, to texels from x on. */
@@ -141,6 +165,10 @@ static void store_pixels(const struct pixel_unpack *unpack, struct texture_image
         uint32_t depth[PIXEL_CHUNK];
         fgl_unpack_depth_texels(unpack, row, column, n, image->format->bits[0], depth);
         fgl_texture_store_depth(image, x, y, z, n, depth);
+        return;
+    }
+    if (are_texels(unpack, image->format)) {
+        store_bytes(unpack, image, row, column, n, x, y, z);
         return;
     }
     fgl_unpack_color(unpack, row, column, n, &colors);

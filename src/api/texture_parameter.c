@@ -120,7 +120,7 @@ static int channel_size(const struct texture_format *f, GLenum pname)
 {
     const GLenum base = f->base_format;
     switch (pname) {
-    case GL_TEXTURE_RED_SIZE: return base == GL_RGB || base == GL_RGBA ? f->bits[0] : 0;
+    case GL_TEXTURE_RED_SIZE: return base == GL_RED || base == GL_RG || base == GL_RGB || base == GL_RGBA ? f->bits[0] : 0;
     case GL_TEXTURE_GREEN_SIZE: return f->bits[1];
     case GL_TEXTURE_BLUE_SIZE: return f->bits[2];
     case GL_TEXTURE_ALPHA_SIZE: return f->bits[3];
@@ -128,6 +128,30 @@ static int channel_size(const struct texture_format *f, GLenum pname)
     case GL_TEXTURE_INTENSITY_SIZE: return base == GL_INTENSITY ? f->bits[0] : 0;
     default: return base == GL_DEPTH_COMPONENT ? f->bits[0] : 0;
     }
+}
+
+/* The size that goes with a type. */
+static GLenum size_of(GLenum type)
+{
+    switch (type) {
+    case GL_TEXTURE_RED_TYPE_ARB: return GL_TEXTURE_RED_SIZE;
+    case GL_TEXTURE_GREEN_TYPE_ARB: return GL_TEXTURE_GREEN_SIZE;
+    case GL_TEXTURE_BLUE_TYPE_ARB: return GL_TEXTURE_BLUE_SIZE;
+    case GL_TEXTURE_ALPHA_TYPE_ARB: return GL_TEXTURE_ALPHA_SIZE;
+    case GL_TEXTURE_LUMINANCE_TYPE_ARB: return GL_TEXTURE_LUMINANCE_SIZE;
+    case GL_TEXTURE_INTENSITY_TYPE_ARB: return GL_TEXTURE_INTENSITY_SIZE;
+    default: return GL_TEXTURE_DEPTH_SIZE;
+    }
+}
+
+/* GL_ARB_texture_float: what the bits of a channel mean; GL_NONE for one that the format has not. */
+static GLenum channel_type(const struct texture_format *f, GLenum size)
+{
+    if (!channel_size(f, size))
+        return GL_NONE;
+    if (!fgl_texture_format_leaves_unit(f))
+        return GL_UNSIGNED_NORMALIZED_ARB;
+    return f->encoding == ENCODED_SNORM ? GL_SIGNED_NORMALIZED : GL_FLOAT;
 }
 
 /* Table 6.16; false for a pname that is not in it. */
@@ -147,6 +171,14 @@ static bool level_value(const struct texture_image *image, bool proxy, GLenum pn
     case GL_TEXTURE_LUMINANCE_SIZE:
     case GL_TEXTURE_INTENSITY_SIZE:
     case GL_TEXTURE_DEPTH_SIZE: *v = image->format ? channel_size(image->format, pname) : 0; return true;
+    case GL_TEXTURE_SHARED_SIZE_EXT: *v = image->format && image->format->encoding == ENCODED_SHARED_EXPONENT ? 5 : 0; return true;
+    case GL_TEXTURE_RED_TYPE_ARB:
+    case GL_TEXTURE_GREEN_TYPE_ARB:
+    case GL_TEXTURE_BLUE_TYPE_ARB:
+    case GL_TEXTURE_ALPHA_TYPE_ARB:
+    case GL_TEXTURE_LUMINANCE_TYPE_ARB:
+    case GL_TEXTURE_INTENSITY_TYPE_ARB:
+    case GL_TEXTURE_DEPTH_TYPE_ARB: *v = image->format ? (int)channel_type(image->format, size_of(pname)) : GL_NONE; return true;
     default: return false;
     }
 }

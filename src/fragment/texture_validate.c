@@ -58,19 +58,33 @@ static void derive_lod(struct sampler *to, const struct texture_parameters *p, f
     to->magnify_below = to->mag == FILTER_LINEAR && to->min == FILTER_NEAREST && to->mip != MIP_NONE ? 0.5f : 0.0f;
 }
 
-/* GL 1.5, table 3.20: what a border texel has, as if it came from an image of the format. */
-static void derive_border(struct sampler *to, const float c[4], GLenum base_format)
+/* What the base format leaves of a texture (GL 1.5, tables 3.22 and 3.23): a format without RGB, or without alpha, keeps the fragment's. */
+static bool has_rgb(GLenum base)
 {
+    return base != GL_ALPHA;
+}
+static bool has_alpha(GLenum base)
+{
+    return base == GL_ALPHA || base == GL_LUMINANCE_ALPHA || base == GL_INTENSITY || base == GL_RGBA;
+}
+
+/* GL 1.5, table 3.20: what a border texel has, as if it came from an image of the format. */
+static void derive_border(struct sampler *to, const float color[4], const struct texture_format *format)
+{
+    const GLenum base_format = format->base_format;
+    float c[4];
+    for (int i = 0; i < 4; i++)
+        c[i] = fgl_texture_format_leaves_unit(format) ? color[i] : fgl_clamp01(color[i]);
     const bool luminance = base_format == GL_LUMINANCE || base_format == GL_LUMINANCE_ALPHA ||
                            base_format == GL_INTENSITY || base_format == GL_DEPTH_COMPONENT;
     for (int i = 0; i < 4; i++) {
-        const float value = fgl_clamp01(c[i]);
-        to->border[i] = i < 3 && base_format == GL_ALPHA ? 0.0f : i < 3 && luminance ? fgl_clamp01(c[0]) : value;
+        const bool missing = (base_format == GL_RED && i > 0) || (base_format == GL_RG && i > 1) || base_format == GL_ALPHA;
+        to->border[i] = i < 3 && missing ? 0.0f : i < 3 && luminance ? c[0] : c[i];
     }
-    if (base_format == GL_LUMINANCE || base_format == GL_RGB)
+    if (!has_alpha(base_format))
         to->border[3] = 1.0f;
     if (base_format == GL_INTENSITY)
-        to->border[3] = fgl_clamp01(c[0]);
+        to->border[3] = c[0];
 }
 
 static void derive_levels(struct sampler *to, const struct texture_object *object)
@@ -98,7 +112,7 @@ static void derive_sampler(struct sampler *to, const struct texture_object *obje
         to->shift[c] = to->kind == TEXELS_UNORM8 && rgba && image->format->bits[c] ? 8 - image->format->bits[c] : 0;
     derive_filters(to, &object->parameters);
     derive_lod(to, &object->parameters, unit_bias);
-    derive_border(to, object->parameters.border_color, image->format->base_format);
+    derive_border(to, object->parameters.border_color, image->format);
     derive_levels(to, object);
 }
 
@@ -108,16 +122,6 @@ static void set_combine(struct combine *to, GLenum function, GLenum source0, GLe
 {
     *to = (struct combine){
             .function = function, .source = {source0, source1, GL_CONSTANT}, .operand = {operand, operand, operand}, .scale = 1.0f};
-}
-
-/* What the base format leaves of a texture (GL 1.5, tables 3.22 and 3.23): a format without RGB, or without alpha, keeps the fragment's. */
-static bool has_rgb(GLenum base)
-{
-    return base != GL_ALPHA;
-}
-static bool has_alpha(GLenum base)
-{
-    return base != GL_LUMINANCE && base != GL_RGB && base != GL_DEPTH_COMPONENT;
 }
 
 static void derive_decal(struct texture_environment *to, GLenum base)
@@ -207,14 +211,15 @@ static bool leaves_range(const struct combine *combine)
     return combine->scale != 1.0f || !(f == GL_REPLACE || f == GL_MODULATE || f == GL_INTERPOLATE);
 }
 
-static void derive_environment(struct texture_environment *to, const struct texture_env *e, GLenum base)
+/* leaves_unit: whether texels do. */
+static void derive_environment(struct texture_environment *to, const struct texture_env *e, GLenum base, bool leaves_unit)
 {
     if (e->mode == GL_COMBINE)
         derive_combine(to, e);
     else
         derive_simple(to, e->mode, base);
     to->mode = e->mode;
-    to->clamped = leaves_range(&to->rgb) || leaves_range(&to->alpha);
+    to->clamped = leaves_unit || leaves_range(&to->rgb) || leaves_range(&to->alpha);
     for (int i = 0; i < 4; i++)
         to->color[i] = fgl_clamp01(e->color[i]);
 }
@@ -267,8 +272,9 @@ int fgl_texture_stages(struct texture_stage stage[FGL_MAX_TEXTURE_UNITS], const 
         for (int c = 0; c < 4; c++)
             to->constant[c] = s->current.attr[ATTR_TEX0 + unit][c];
         derive_sampler(&to->sampler, object, u->env.lod_bias);
-        const GLenum base = object->image[0][object->parameters.base_level].format->base_format;
-        derive_environment(&to->environment, &u->env, environment_format(&to->sampler, base));
+        const struct texture_format *format = object->image[0][object->parameters.base_level].format;
+        derive_environment(&to->environment, &u->env, environment_format(&to->sampler, format->base_format),
+                           fgl_texture_format_leaves_unit(format));
     }
     return n;
 }

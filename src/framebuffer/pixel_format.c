@@ -9,7 +9,7 @@
 #define A CHANNEL_ALPHA
 #define L CHANNEL_LUMINANCE
 
-/* GL 1.5, table 3.6 "DrawPixels and ReadPixels formats". */
+/* GL 1.5, table 3.6 "DrawPixels and ReadPixels formats"; GL_ARB_texture_rg, GL_EXT_abgr. */
 static const struct pixel_format formats[] = {
         {GL_COLOR_INDEX, 1, {CHANNEL_INDEX}},
         {GL_STENCIL_INDEX, 1, {CHANNEL_STENCIL}},
@@ -18,10 +18,12 @@ static const struct pixel_format formats[] = {
         {GL_GREEN, 1, {G}},
         {GL_BLUE, 1, {B}},
         {GL_ALPHA, 1, {A}},
+        {GL_RG, 2, {R, G}},
         {GL_RGB, 3, {R, G, B}},
         {GL_RGBA, 4, {R, G, B, A}},
         {GL_BGR, 3, {B, G, R}},
         {GL_BGRA, 4, {B, G, R, A}},
+        {GL_ABGR_EXT, 4, {A, B, G, R}},
         {GL_LUMINANCE, 1, {L}},
         {GL_LUMINANCE_ALPHA, 2, {L, A}},
 };

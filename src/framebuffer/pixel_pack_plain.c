@@ -25,7 +25,7 @@ static bool is_little_endian(void)
 
 static void pack_bytes(const struct pixel_format *format, bool has_alpha, const uint32_t *pixel, int n, uint8_t *out)
 {
-    static const int rgba[4] = {0, 8, 16, 24}, bgra[4] = {16, 8, 0, 24};
+    static const int rgba[4] = {0, 8, 16, 24}, bgra[4] = {16, 8, 0, 24}, abgr[4] = {24, 16, 8, 0};
     const uint32_t alpha = has_alpha ? 0 : 0xff000000u;
     if (format->format == GL_RGBA && has_alpha && is_little_endian()) {
         memcpy(out, pixel, 4 * (size_t)n);
@@ -34,6 +34,8 @@ static void pack_bytes(const struct pixel_format *format, bool has_alpha, const 
     switch (format->format) {
     case GL_RGBA: copy_bytes(out, pixel, alpha, n, 4, rgba); break;
     case GL_BGRA: copy_bytes(out, pixel, alpha, n, 4, bgra); break;
+    case GL_ABGR_EXT: copy_bytes(out, pixel, alpha, n, 4, abgr); break;
+    case GL_RG: copy_bytes(out, pixel, alpha, n, 2, rgba); break;
     case GL_RGB: copy_bytes(out, pixel, alpha, n, 3, rgba); break;
     case GL_BGR: copy_bytes(out, pixel, alpha, n, 3, bgra); break;
     default: copy_bytes(out, pixel, alpha, n, 1, &rgba[format->channel[0]]); break;

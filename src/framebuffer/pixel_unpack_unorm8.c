@@ -40,11 +40,13 @@ static void luminance_alpha(const uint8_t *FGL_RESTRICT from, int n, uint32_t *F
 
 static void unpack_bytes(GLenum format, int channel, const uint8_t *from, int n, uint32_t *out)
 {
-    static const int rgba[4] = {0, 8, 16, 24}, bgra[4] = {16, 8, 0, 24};
+    static const int rgba[4] = {0, 8, 16, 24}, bgra[4] = {16, 8, 0, 24}, abgr[4] = {24, 16, 8, 0};
     const uint32_t opaque = 0xff000000u;
     switch (format) {
     case GL_RGBA: join_bytes(from, n, 4, rgba, 0, out); break;
     case GL_BGRA: join_bytes(from, n, 4, bgra, 0, out); break;
+    case GL_ABGR_EXT: join_bytes(from, n, 4, abgr, 0, out); break;
+    case GL_RG: join_bytes(from, n, 2, rgba, opaque, out); break;
     case GL_RGB: join_bytes(from, n, 3, rgba, opaque, out); break;
     case GL_BGR: join_bytes(from, n, 3, bgra, opaque, out); break;
     case GL_LUMINANCE: luminance(from, n, out); break;

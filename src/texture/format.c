@@ -1,8 +1,12 @@
 /* The table of internal formats. */
 #include "texture/format.h"
 
-#define U TEXELS_UNORM8
-#define W TEXELS_FLOAT
+#define U TEXELS_UNORM8, ENCODED_UNORM
+#define W TEXELS_FLOAT, ENCODED_UNORM
+#define D TEXELS_DEPTH, ENCODED_UNORM
+#define F TEXELS_FLOAT, ENCODED_FLOAT
+#define S TEXELS_FLOAT, ENCODED_SNORM
+#define C TEXELS_FLOAT, ENCODED_SRGB
 
 /* OSMesa rules: formats without bits of their own have 8 a channel; 4-bit channels alone become 8, 2-bit ones 4; 12 bits
  * become 16. The generic compressed formats are not compressed. */
@@ -49,16 +53,76 @@ static const struct texture_format formats[] = {
         {GL_RGB10_A2, GL_RGBA, W, {10, 10, 10, 2}},
         {GL_RGBA12, GL_RGBA, W, {16, 16, 16, 16}},
         {GL_RGBA16, GL_RGBA, W, {16, 16, 16, 16}},
-        {GL_DEPTH_COMPONENT, GL_DEPTH_COMPONENT, TEXELS_DEPTH, {24}},
-        {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, TEXELS_DEPTH, {16}},
-        {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, TEXELS_DEPTH, {24}},
-        {GL_DEPTH_COMPONENT32, GL_DEPTH_COMPONENT, TEXELS_DEPTH, {32}},
+        {GL_DEPTH_COMPONENT, GL_DEPTH_COMPONENT, D, {24}},
+        {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, D, {16}},
+        {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, D, {24}},
+        {GL_DEPTH_COMPONENT32, GL_DEPTH_COMPONENT, D, {32}},
         {GL_COMPRESSED_ALPHA, GL_ALPHA, U, {0, 0, 0, 8}},
         {GL_COMPRESSED_LUMINANCE, GL_LUMINANCE, U, {8}},
         {GL_COMPRESSED_LUMINANCE_ALPHA, GL_LUMINANCE_ALPHA, U, {8, 0, 0, 8}},
         {GL_COMPRESSED_INTENSITY, GL_INTENSITY, U, {8}},
         {GL_COMPRESSED_RGB, GL_RGB, U, {8, 8, 8}},
         {GL_COMPRESSED_RGBA, GL_RGBA, U, {8, 8, 8, 8}},
+        {GL_RED, GL_RED, U, {8}},
+        {GL_R8, GL_RED, U, {8}},
+        {GL_R16, GL_RED, W, {16}},
+        {GL_RG, GL_RG, U, {8, 8}},
+        {GL_RG8, GL_RG, U, {8, 8}},
+        {GL_RG16, GL_RG, W, {16, 16}},
+        {GL_R16F, GL_RED, F, {16}},
+        {GL_RG16F, GL_RG, F, {16, 16}},
+        {GL_RGB16F_ARB, GL_RGB, F, {16, 16, 16}},
+        {GL_RGBA16F_ARB, GL_RGBA, F, {16, 16, 16, 16}},
+        {GL_ALPHA16F_ARB, GL_ALPHA, F, {0, 0, 0, 16}},
+        {GL_LUMINANCE16F_ARB, GL_LUMINANCE, F, {16}},
+        {GL_LUMINANCE_ALPHA16F_ARB, GL_LUMINANCE_ALPHA, F, {16, 0, 0, 16}},
+        {GL_INTENSITY16F_ARB, GL_INTENSITY, F, {16}},
+        {GL_R32F, GL_RED, F, {32}},
+        {GL_RG32F, GL_RG, F, {32, 32}},
+        {GL_RGB32F_ARB, GL_RGB, F, {32, 32, 32}},
+        {GL_RGBA32F_ARB, GL_RGBA, F, {32, 32, 32, 32}},
+        {GL_ALPHA32F_ARB, GL_ALPHA, F, {0, 0, 0, 32}},
+        {GL_LUMINANCE32F_ARB, GL_LUMINANCE, F, {32}},
+        {GL_LUMINANCE_ALPHA32F_ARB, GL_LUMINANCE_ALPHA, F, {32, 0, 0, 32}},
+        {GL_INTENSITY32F_ARB, GL_INTENSITY, F, {32}},
+        {GL_RED_SNORM, GL_RED, S, {8}},
+        {GL_R8_SNORM, GL_RED, S, {8}},
+        {GL_R16_SNORM, GL_RED, S, {16}},
+        {GL_RG_SNORM, GL_RG, S, {8, 8}},
+        {GL_RG8_SNORM, GL_RG, S, {8, 8}},
+        {GL_RG16_SNORM, GL_RG, S, {16, 16}},
+        {GL_RGB_SNORM, GL_RGB, S, {8, 8, 8}},
+        {GL_RGB8_SNORM, GL_RGB, S, {8, 8, 8}},
+        {GL_RGB16_SNORM, GL_RGB, S, {16, 16, 16}},
+        {GL_RGBA_SNORM, GL_RGBA, S, {8, 8, 8, 8}},
+        {GL_RGBA8_SNORM, GL_RGBA, S, {8, 8, 8, 8}},
+        {GL_RGBA16_SNORM, GL_RGBA, S, {16, 16, 16, 16}},
+        {GL_ALPHA_SNORM, GL_ALPHA, S, {0, 0, 0, 8}},
+        {GL_ALPHA8_SNORM, GL_ALPHA, S, {0, 0, 0, 8}},
+        {GL_ALPHA16_SNORM, GL_ALPHA, S, {0, 0, 0, 16}},
+        {GL_LUMINANCE_SNORM, GL_LUMINANCE, S, {8}},
+        {GL_LUMINANCE8_SNORM, GL_LUMINANCE, S, {8}},
+        {GL_LUMINANCE16_SNORM, GL_LUMINANCE, S, {16}},
+        {GL_LUMINANCE_ALPHA_SNORM, GL_LUMINANCE_ALPHA, S, {8, 0, 0, 8}},
+        {GL_LUMINANCE8_ALPHA8_SNORM, GL_LUMINANCE_ALPHA, S, {8, 0, 0, 8}},
+        {GL_LUMINANCE16_ALPHA16_SNORM, GL_LUMINANCE_ALPHA, S, {16, 0, 0, 16}},
+        {GL_INTENSITY_SNORM, GL_INTENSITY, S, {8}},
+        {GL_INTENSITY8_SNORM, GL_INTENSITY, S, {8}},
+        {GL_INTENSITY16_SNORM, GL_INTENSITY, S, {16}},
+        {GL_SRGB_EXT, GL_RGB, C, {8, 8, 8}},
+        {GL_SRGB8_EXT, GL_RGB, C, {8, 8, 8}},
+        {GL_SRGB_ALPHA_EXT, GL_RGBA, C, {8, 8, 8, 8}},
+        {GL_SRGB8_ALPHA8_EXT, GL_RGBA, C, {8, 8, 8, 8}},
+        {GL_SLUMINANCE_EXT, GL_LUMINANCE, C, {8}},
+        {GL_SLUMINANCE8_EXT, GL_LUMINANCE, C, {8}},
+        {GL_SLUMINANCE_ALPHA_EXT, GL_LUMINANCE_ALPHA, C, {8, 0, 0, 8}},
+        {GL_SLUMINANCE8_ALPHA8_EXT, GL_LUMINANCE_ALPHA, C, {8, 0, 0, 8}},
+        {GL_COMPRESSED_SRGB_EXT, GL_RGB, C, {8, 8, 8}},
+        {GL_COMPRESSED_SRGB_ALPHA_EXT, GL_RGBA, C, {8, 8, 8, 8}},
+        {GL_COMPRESSED_SLUMINANCE_EXT, GL_LUMINANCE, C, {8}},
+        {GL_COMPRESSED_SLUMINANCE_ALPHA_EXT, GL_LUMINANCE_ALPHA, C, {8, 0, 0, 8}},
+        {GL_R11F_G11F_B10F_EXT, GL_RGB, TEXELS_FLOAT, ENCODED_PACKED_FLOAT, {11, 11, 10}},
+        {GL_RGB9_E5_EXT, GL_RGB, TEXELS_FLOAT, ENCODED_SHARED_EXPONENT, {9, 9, 9}},
 };
 
 /* Not for programs to ask for. */

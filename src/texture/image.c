@@ -2,6 +2,7 @@
 #include "texture/image.h"
 
 #include "base/unorm.h"
+#include "texture/encode.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -73,6 +74,7 @@ static void expansion(GLenum base_format, int source[4])
             {GL_ALPHA, {ZERO, ZERO, ZERO, 3}}, {GL_LUMINANCE, {0, 0, 0, ONE}},
             {GL_LUMINANCE_ALPHA, {0, 0, 0, 3}}, {GL_INTENSITY, {0, 0, 0, 0}},
             {GL_RGB, {0, 1, 2, ONE}},          {GL_RGBA, {0, 1, 2, 3}},
+            {GL_RED, {0, ZERO, ZERO, ONE}},    {GL_RG, {0, 1, ZERO, ONE}},
     };
     for (size_t i = 0; i < FGL_COUNTOF(table); i++)
         for (int c = 0; table[i].base_format == base_format && c < 4; c++)
@@ -112,6 +114,36 @@ static uint32_t to_bits(const struct texture_format *format, float v, int bits, 
     }
 }
 
+/* The same of an encoding of its own. source: as of `expansion`. */
+static void store_encoded(struct texture_image *image, size_t first, int c, int source, int n, const float *const color[4])
+{
+    float v[TEXTURE_RUN], *out = (float *)image->texels + first + c;
+    if (source < ZERO)
+        fgl_texture_encode(image->format, source, n, color, v);
+    for (int i = 0; i < n; i++)
+        out[4 * i] = source < ZERO ? v[i] : source == ONE ? 1.0f : 0.0f;
+}
+
+void fgl_texture_store_bytes(struct texture_image *image, int x, int y, int z, int n, const uint8_t *pixels, size_t step,
+                             const int place[4])
+{
+    int source[4];
+    uint8_t *out = (uint8_t *)image->texels + 4 * fgl_texel_index(image, x, y, z);
+    expansion(image->format->base_format, source);
+    bool same = step == 4;
+    for (int c = 0; c < 4; c++)
+        same = same && source[c] == c && place[c] == c;
+    if (same) {
+        memcpy(out, pixels, 4 * (size_t)n);
+        return;
+    }
+    for (int c = 0; c < 4; c++) {
+        const int at = source[c] < ZERO ? place[source[c]] : -1, missing = source[c] == ONE || source[c] == 3 ? 255 : 0;
+        for (int i = 0; i < n; i++)
+            out[4 * i + c] = (uint8_t)(at >= 0 ? pixels[(size_t)i * step + (size_t)at] : missing);
+    }
+}
+
 void fgl_texture_store_color(struct texture_image *image, int x, int y, int z, int n, const float *const color[4],
                              enum texel_rounding rounding)
 {
@@ -122,6 +154,10 @@ void fgl_texture_store_color(struct texture_image *image, int x, int y, int z, i
     const size_t first = 4 * fgl_texel_index(image, x, y, z);
     for (int c = 0; c < 4; c++) {
         const int s = source[c], bits = s < ZERO ? image->format->bits[s] : 8;
+        if (image->format->encoding != ENCODED_UNORM) {
+            store_encoded(image, first, c, s, n, color);
+            continue;
+        }
         for (int i = 0; i < n; i++)
             v[i] = s == ZERO ? 0 : s == ONE ? 255 : to_bits(image->format, color[s][i], bits, rounding);
         store_channel(image, first, c, n, bits, v);
@@ -171,19 +207,28 @@ void fgl_texture_load_color(const struct texture_image *image, int x, int y, int
     }
 }
 
+/* A kept float as an integer of 16 bits; of an sRGB format of 8. */
+static uint32_t integer_of(const struct texture_format *format, int c, float v)
+{
+    if (format->encoding != ENCODED_SRGB)
+        return (uint32_t)(v * 65535.0f + 0.5f);
+    return c < 3 ? (uint32_t)fgl_srgb_byte(v) : (uint32_t)(v * 255.0f + 0.5f);
+}
+
 void fgl_texture_load_integers(const struct texture_image *image, int x, int y, int z, int n, uint32_t *const color[4])
 {
     int source[4];
     load_sources(image->format->base_format, source);
     const size_t first = 4 * fgl_texel_index(image, x, y, z);
+    const uint32_t one = image->format->bits[0] == 16 || image->format->bits[3] == 16 ? 65535 : 255;
     for (int c = 0; c < 4; c++)
         for (int i = 0; i < n; i++) {
             const size_t at = first + 4 * (size_t)i + (size_t)c;
             if (source[c] >= ZERO)
-                color[c][i] = source[c] == ZERO ? 0 : image->kind == TEXELS_UNORM8 ? 255 : 65535;
+                color[c][i] = source[c] == ZERO ? 0 : one;
             else if (image->kind == TEXELS_UNORM8)
                 color[c][i] = ((const uint8_t *)image->texels)[at];
             else
-                color[c][i] = (uint32_t)(((const float *)image->texels)[at] * 65535.0f + 0.5f);
+                color[c][i] = integer_of(image->format, c, ((const float *)image->texels)[at]);
         }
 }

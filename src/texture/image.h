@@ -32,6 +32,11 @@ enum texel_rounding {
     ROUND_DRAWN          /* as what is drawn: half to even; but 5 bits, and the 6 or 1 beside them, are cut from bytes */
 };
 
+/* n texels of a format that keeps bytes, from pixels `step` bytes apart. place: which byte of a pixel red, green, blue and alpha are; -1: none,
+ * which is 0, but alpha 255. */
+void fgl_texture_store_bytes(struct texture_image *image, int x, int y, int z, int n, const uint8_t *pixels, size_t step,
+                             const int place[4]);
+
 /* Stores n texels from (x, y, z) on. n <= TEXTURE_RUN. color: four planes, red to alpha. */
 void fgl_texture_store_color(struct texture_image *image, int x, int y, int z, int n, const float *const color[4],
                              enum texel_rounding rounding);
@@ -40,7 +45,8 @@ void fgl_texture_store_depth(struct texture_image *image, int x, int y, int z, i
 /* n texels as colours, four planes: what drawing would see of them, but formats of less than 8 bits with all their precision (GL 1.5, 6.1.4
  * "Texture Queries", table 6.1: luminance and intensity are red alone). */
 void fgl_texture_load_color(const struct texture_image *image, int x, int y, int z, int n, float *const color[4]);
-/* The same as integers of 8 or 16 bits: of bytes, whatever the format's bits, or of a format of 16. */
+/* The same as integers of 8 or 16 bits: of bytes, whatever the format's bits, or of a format of 16. Only normalized unsigned ones, and sRGB,
+ * whose colours are those of the curve. */
 void fgl_texture_load_integers(const struct texture_image *image, int x, int y, int z, int n, uint32_t *const color[4]);
 
 #endif

@@ -2,6 +2,7 @@
 #include "texture/mipmap.h"
 
 #include "base/unorm.h"
+#include "texture/encode.h"
 
 #include <stdlib.h>
 
@@ -87,6 +88,8 @@ static void make_texel(const struct texture_image *from, struct texture_image *t
             v[c] = (float)bytes[c] * (1.0f / 255.0f);
     } else {
         average_floats(from, t, 4, v);
+        for (int c = 0; to->format->encoding == ENCODED_SRGB && c < 3; c++)
+            v[c] = fgl_srgb_from_linear(v[c]);
     }
     const float *const planes[4] = {&v[0], &v[1], &v[2], &v[3]};
     fgl_texture_store_color(to, x, y, z, 1, planes, ROUND_DRAWN);

@@ -15,12 +15,12 @@ enum { TEXTURE_MAX_FACES = 6 }; /* of a cube map: +x, -x, +y, -y, +z, -z; other 
 /* How texels are kept. Row 0 is t = 0; rows and slices follow one another without gaps. */
 enum texel_kind {
     TEXELS_UNORM8, /* uint8_t[4]: formats of at most 8 bits a channel, each expanded to 8 bits by repeating its bits */
-    TEXELS_FLOAT,  /* float[4]: formats of more bits, after quantisation */
+    TEXELS_FLOAT,  /* float[4]: formats of more bits, or other encodings, after quantisation */
     TEXELS_DEPTH   /* float: depth after quantisation */
 };
 
 /* Texels are RGBA by base format: GL_LUMINANCE -> LLL1, GL_ALPHA -> 000A, GL_INTENSITY -> IIII, GL_LUMINANCE_ALPHA -> LLLA,
- * GL_RGB -> RGB1. */
+ * GL_RED -> R001, GL_RG -> RG01, GL_RGB -> RGB1. */
 struct texture_image {
     int width, height, depth; /* texels */
     GLenum internal_format;   /* as given; of a generic compressed format, its base format */
