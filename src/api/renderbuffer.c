@@ -120,7 +120,7 @@ void fgl_exec_BindRenderbuffer(struct context *ctx, GLenum target, GLuint name)
 
 /* ---- storage ---- */
 
-static const struct texture_format stencil_format = {GL_STENCIL_INDEX8, GL_STENCIL_INDEX, TEXELS_DEPTH, {0}};
+static const struct texture_format stencil_format = {GL_STENCIL_INDEX8, GL_STENCIL_INDEX, TEXELS_DEPTH, ENCODED_UNORM, {0}};
 
 /* The format of colours or depths, and whether there is a stencil; NULL: no format of renderbuffers. Table 3.16 and the stencil formats. */
 static const struct texture_format *format_of(GLenum internal_format, bool *stencil)
