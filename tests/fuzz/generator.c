@@ -32,7 +32,8 @@ bool chance(struct generator *g, int percent)
 
 int integer(struct generator *g, int low, int high)
 {
-    return low + below(g, high - low + 1);
+    const uint64_t n = (uint64_t)((int64_t)high - low) + 1;
+    return (int)(low + (int64_t)((next_random(g) >> 33) % n));
 }
 
 double real(struct generator *g, double low, double high)
