@@ -2,6 +2,7 @@
  * much as there was. */
 #include "framebuffer/imaging.h"
 
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -55,6 +56,8 @@ static float *new_pixels(int width, int height)
 /* The image with floor(size / 2) pixels of border before it, and behind it as many as make size - 1 of both. */
 static bool extend(struct color_image *image, int filter_width, int filter_height, GLenum border_mode, const float border_color[4])
 {
+    if (image->width > INT_MAX - filter_width || image->height > INT_MAX - filter_height)
+        return false;
     const int width = image->width + filter_width - 1, height = image->height + filter_height - 1;
     float *out = new_pixels(width, height);
     for (int y = 0; out && y < height; y++)

@@ -127,7 +127,8 @@ static void true_convolution(struct image *image, GLenum base, const double (*fi
                 double sum = 0;
                 for (int m = 0; m < h; m++)
                     for (int n = 0; n < w; n++)
-                        sum += source_pixel(image, x0 + n, y0 + m, mode, border)[c] * filter[m * w + n][component(base, c) < 0 ? 0 : component(base, c)];
+                        sum += source_pixel(image, x0 + n, y0 + m, mode, border)[c] *
+                               filter[m * w + n][component(base, c) < 0 ? 0 : component(base, c)];
                 if (component(base, c) < 0)
                     sum = source_pixel(image, x0 + w / 2, y0 + h / 2, mode, border)[c];
                 out.pixel[y * out.width + x][c] = sum;
@@ -640,6 +641,138 @@ static void one_dimension(void **state)
     free(truth);
 }
 
+/* Images smaller than the filter, filters without size, images given as NULL. */
+static void sizes_at_the_edge(void **state)
+{
+    (void)state;
+    struct image *const truth = calloc(1, sizeof *truth);
+    GLint width = -1, height = -1;
+    draw_source(4, 4, truth);
+    make_weights(32);
+    glConvolutionFilter2D(GL_CONVOLUTION_2D, GL_RGBA, 5, 3, GL_RGBA, GL_FLOAT, given_weights);
+    glEnable(GL_CONVOLUTION_2D);
+    truth->width = 0;
+    EXPECT_READ(4, 4, truth);
+    glWindowPos2i(0, 0);
+    EXPECT_NO_ERROR(glDrawPixels(4, 4, GL_RGBA, GL_UNSIGNED_BYTE, source));
+    EXPECT_NO_ERROR(glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 12, 10, 0, GL_RGBA, GL_UNSIGNED_BYTE, NULL));
+    glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
+    glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &height);
+    assert_true(width == 8 && height == 8);
+    EXPECT_ERROR(GL_INVALID_VALUE, glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, -1, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, NULL));
+    EXPECT_ERROR(GL_INVALID_VALUE, glReadPixels(0, 0, -1, 4, GL_RGBA, GL_UNSIGNED_BYTE, NULL));
+    EXPECT_NO_ERROR(glConvolutionFilter2D(GL_CONVOLUTION_2D, GL_RGBA, 0, 0, GL_RGBA, GL_FLOAT, given_weights));
+    truth->width = 4;
+    memset(truth->pixel, 0, sizeof truth->pixel);
+    EXPECT_READ(4, 4, truth);
+    free(truth);
+}
+
+/* 3.6.5: the stages apply to RGBA groups, among them those that come from color indexes. */
+static void groups(void **state)
+{
+    (void)state;
+    static const GLfloat to_red[2] = {0, 1}, table[2][4] = {{.2f, .4f, .6f, .8f}, {1, .8f, .4f, .2f}};
+    static const GLubyte indexes[2] = {1, 0};
+    GLubyte got[2][4];
+    GLfloat depth[2] = {.25f, .75f};
+    glPixelMapfv(GL_PIXEL_MAP_I_TO_R, 2, to_red);
+    glColorTable(GL_COLOR_TABLE, GL_RGBA, 2, GL_RGBA, GL_FLOAT, table);
+    glEnable(GL_COLOR_TABLE);
+    glWindowPos2i(0, 0);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    EXPECT_NO_ERROR(glDrawPixels(2, 1, GL_COLOR_INDEX, GL_UNSIGNED_BYTE, indexes));
+    glDisable(GL_COLOR_TABLE);
+    glReadPixels(0, 0, 2, 1, GL_RGBA, GL_UNSIGNED_BYTE, got);
+    assert_int_equal(got[0][0], 255); /* index 1: red 1, entry 1; green, blue and alpha 0: entry 0 */
+    assert_int_equal(got[0][1], 102);
+    assert_int_equal(got[1][0], 51);
+
+    glHistogram(GL_HISTOGRAM, 4, GL_RGBA, GL_TRUE);
+    glEnable(GL_HISTOGRAM);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_ALWAYS);
+    EXPECT_NO_ERROR(glDrawPixels(2, 1, GL_DEPTH_COMPONENT, GL_FLOAT, depth));
+    depth[0] = depth[1] = -1;
+    EXPECT_NO_ERROR(glReadPixels(0, 0, 2, 1, GL_DEPTH_COMPONENT, GL_FLOAT, depth));
+    EXPECT_NEAR((double)depth[0], .25, 1e-6);
+    EXPECT_NEAR((double)depth[1], .75, 1e-6);
+    EXPECT_NO_ERROR(glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, 2, 1, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depth));
+    EXPECT_NO_ERROR(glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, 0, 0, 2, 1, 0));
+    GLfloat texels[2];
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_FLOAT, texels);
+    EXPECT_NEAR((double)texels[1], .75, 1e-5);
+    EXPECT_FLOATS(glGetHistogram(GL_HISTOGRAM, GL_FALSE, GL_RED, GL_FLOAT, got_), 0, 0, 0, 0);
+}
+
+/* Of three dimensions: no convolution, but the rest; and the parts that copies replace. */
+static void three_dimensions(void **state)
+{
+    (void)state;
+    enum { W = 4, H = 4, D = 2, N = W * H * D };
+    static const GLfloat inverse[2][4] = {{1, 1, 1, 1}, {0, 0, 0, 0}};
+    static GLubyte given[N][4], got[N][4];
+    for (int i = 0; i < N; i++)
+        for (int c = 0; c < 4; c++)
+            given[i][c] = random_bits() % 2 ? 255 : 0;
+    make_weights(9);
+    glConvolutionFilter2D(GL_CONVOLUTION_2D, GL_RGBA, 3, 3, GL_RGBA, GL_FLOAT, given_weights);
+    glEnable(GL_CONVOLUTION_2D);
+    glColorTable(GL_COLOR_TABLE, GL_RGBA, 2, GL_RGBA, GL_FLOAT, inverse);
+    glEnable(GL_COLOR_TABLE);
+    glHistogram(GL_HISTOGRAM, 1, GL_RGBA, GL_FALSE);
+    glEnable(GL_HISTOGRAM);
+    EXPECT_NO_ERROR(glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA8, W, H, D, 0, GL_RGBA, GL_UNSIGNED_BYTE, given));
+    glGetTexImage(GL_TEXTURE_3D, 0, GL_RGBA, GL_UNSIGNED_BYTE, got);
+    for (int i = 0; i < 4 * N; i++)
+        assert_int_equal(got[i / 4][i % 4], 255 - given[i / 4][i % 4]);
+    EXPECT_FLOATS(glGetHistogram(GL_HISTOGRAM, GL_FALSE, GL_RED, GL_FLOAT, got_), N);
+
+    struct image *const truth = calloc(1, sizeof *truth);
+    glDisable(GL_COLOR_TABLE);
+    glDisable(GL_CONVOLUTION_2D);
+    draw_source(W, H, truth);
+    glEnable(GL_CONVOLUTION_2D);
+    true_convolution(truth, GL_RGBA, (const double(*)[4])weights, 3, 3, GL_REDUCE, true_border);
+    EXPECT_NO_ERROR(glCopyTexSubImage3D(GL_TEXTURE_3D, 0, 1, 1, 1, 0, 0, W, H)); /* 2 x 2 are left */
+    glGetTexImage(GL_TEXTURE_3D, 0, GL_RGBA, GL_UNSIGNED_BYTE, got);
+    for (int i = 0; i < 4; i++)
+        for (int c = 0; c < 4; c++)
+            EXPECT_NEAR(got[W * H + W * (1 + i / 2) + 1 + i % 2][c], 255 * clamp01(truth->pixel[i][c]), 0.5 + 1e-3);
+    assert_int_equal(got[W * H][0], 255 - given[W * H][0]);
+    free(truth);
+}
+
+/* A texture's border is convolved with it. */
+static void bordered_texture(void **state)
+{
+    (void)state;
+    enum { W = 12, H = 11 };
+    static GLubyte got[MAX_PIXELS][4];
+    struct image *const truth = calloc(1, sizeof *truth);
+    draw_source(W, H, truth);
+    make_weights(6);
+    glConvolutionFilter2D(GL_CONVOLUTION_2D, GL_RGBA, 3, 2, GL_RGBA, GL_FLOAT, given_weights);
+    glEnable(GL_CONVOLUTION_2D);
+    true_convolution(truth, GL_RGBA, (const double(*)[4])weights, 3, 2, GL_REDUCE, true_border); /* to 10 x 10 */
+    for (int copied = 0; copied < 2; copied++) {
+        if (copied)
+            EXPECT_NO_ERROR(glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 0, 0, W, H, 1));
+        else
+            EXPECT_NO_ERROR(glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, W, H, 1, GL_RGBA, GL_UNSIGNED_BYTE, source));
+        GLint width = 0, border = 0;
+        glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
+        glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_BORDER, &border);
+        glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, got);
+        const int inner = width == 8 ? 8 : 10, skip = (10 - inner) / 2; /* images are kept without their borders */
+        for (int y = 0; y < 8; y++)
+            for (int x = 0; x < 8; x++)
+                EXPECT_NEAR(got[(y + 1 - skip) * inner + x + 1 - skip][2], 255 * clamp01(truth->pixel[(y + 1) * 10 + x + 1][2]),
+                            0.5 + 1e-3);
+    }
+    free(truth);
+}
+
 /* ---- state ---- */
 
 static void attribute_groups(void **state)
@@ -759,6 +892,10 @@ int main(void)
             GL_TEST(minmax),
             GL_TEST(every_stage_in_every_command),
             GL_TEST(one_dimension),
+            GL_TEST(sizes_at_the_edge),
+            GL_TEST(groups),
+            GL_TEST(three_dimensions),
+            GL_TEST(bordered_texture),
             GL_TEST(attribute_groups),
             GL_TEST(display_lists),
             GL_TEST(extension_is_named),
