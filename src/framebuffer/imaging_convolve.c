@@ -73,15 +73,16 @@ static bool extend(struct color_image *image, int filter_width, int filter_heigh
 }
 
 /* C[i, j] = sum over n, m of Cs[i + n, j + m] Cf[n, m] for one row of pixels. */
-static void convolve_row(const struct color_image *image, const struct weights *w, int y, int width, float *out)
+static void convolve_row(const struct color_image *image, const struct weights *w, int y, int width, float *FGL_RESTRICT out)
 {
     for (int m = 0; m < w->height; m++)
         for (int n = 0; n < w->width; n++) {
             const float *from = image->color + 4 * ((size_t)(y + m) * (size_t)image->width + (size_t)n);
             const int at = m * w->width + n;
             const float f[4] = {w->of[0][at], w->of[1][at], w->of[2][at], w->of[3][at]};
-            for (size_t i = 0; i < 4 * (size_t)width; i++)
-                out[i] += from[i] * f[i % 4];
+            for (size_t i = 0; i < 4 * (size_t)width; i += 4)
+                for (size_t c = 0; c < 4; c++)
+                    out[i + c] += from[i + c] * f[c];
         }
 }
 
