@@ -102,29 +102,41 @@ static FGL_ALWAYS_INLINE real log2_of(real v)
 }
 #endif
 
-/* From rho to the level, for one quad. */
-static FGL_ALWAYS_INLINE void choose_level(const struct sampler *sampler, const int count, real rho, int32_t *magnify,
-                                           int32_t *level, real *f)
+/* From rho to the level of detail (GL 1.5, equations 3.17 and 3.18). */
+static FGL_ALWAYS_INLINE void levels_of_detail(const struct sampler *sampler, const int count, const real rho[FRAGMENT_GROUP],
+                                               real lod[FRAGMENT_GROUP])
 {
-    *f = 0;
+    const real bias = (real)sampler->lod_bias, least = (real)sampler->min_lod, most = (real)sampler->max_lod;
+    FOR_GROUP(i) lod[i] = log2_of(count == 1 ? rho[i] * rho[i] : rho[i]) * (real)0.5 + bias;
+    FOR_GROUP(i) lod[i] = r_max(r_min(lod[i], most), least);
+    if (least == most)
+        FOR_GROUP(i) lod[i] = least;
+}
+
+/* From rho to levels, which may not be there. */
+static FGL_ALWAYS_INLINE void levels_wanted(const struct sampler *sampler, const int count, const real rho[FRAGMENT_GROUP],
+                                            struct level_choice *FGL_RESTRICT to)
+{
+    real lod[FRAGMENT_GROUP];
+    FOR_GROUP(i) to->f[i] = 0;
 #if !R_EXACT
     if (!sampler->adjusts_lod && sampler->mip != MIP_LINEAR) {
-        *magnify = rho > 1 ? 0 : -1;
-        *level = count == 1 ? exponent_of(rho * 1.41421356f) : (exponent_of(rho) + 1) >> 1;
+        FOR_GROUP(i) to->magnify[i] = -(int32_t)!(rho[i] > 1);
+        if (count == 1)
+            FOR_GROUP(i) to->level[i] = exponent_of(rho[i] * 1.41421356f);
+        else
+            FOR_GROUP(i) to->level[i] = (exponent_of(rho[i]) + 1) >> 1;
         return;
     }
 #endif
-    real lod = log2_of(count == 1 ? rho * rho : rho) * (real)0.5 + (real)sampler->lod_bias;
-    lod = r_max(r_min(lod, (real)sampler->max_lod), (real)sampler->min_lod);
-    if (sampler->min_lod == sampler->max_lod)
-        lod = (real)sampler->min_lod;
-    *magnify = lod > (R_EXACT ? (real)sampler->magnify_below : 0) ? 0 : -1;
+    levels_of_detail(sampler, count, rho, lod);
+    const real magnify_below = R_EXACT ? (real)sampler->magnify_below : 0;
+    FOR_GROUP(i) to->magnify[i] = -(int32_t)!(lod[i] > magnify_below);
     if (sampler->mip == MIP_LINEAR) {
-        const real below = r_floor(lod);
-        *level = to_int(below);
-        *f = lod - below;
+        FOR_GROUP(i) to->level[i] = to_int(r_floor(lod[i]));
+        FOR_GROUP(i) to->f[i] = lod[i] - r_floor(lod[i]);
     } else {
-        *level = to_int(R_EXACT ? -r_floor((real)0.5 - lod) : round_even_of(lod));
+        FOR_GROUP(i) to->level[i] = to_int(R_EXACT ? -r_floor((real)0.5 - lod[i]) : round_even_of(lod[i]));
     }
 }
 
@@ -143,14 +155,10 @@ static FGL_ALWAYS_INLINE void choose_levels(const struct fragments *fragments, c
         cube_scale_factors(sampler, odd && sampler->mip == MIP_NONE ? other : at, odd ? other : at, odd ? at : other, rho);
     else
         scale_factors(sampler, count, odd ? other : at, odd ? at : other, rho);
-    FOR_GROUP(i) {
-        int32_t level;
-        real f;
-        choose_level(sampler, count, rho[i], &to->magnify[i], &level, &f);
-        const bool below = sampler->mip == MIP_NONE || level < 0, above = level >= sampler->last_level;
-        to->level[i] = below ? 0 : above ? sampler->last_level : level;
-        to->f[i] = below || above ? 0 : f;
-    }
+    levels_wanted(sampler, count, rho, to);
+    const int32_t last = sampler->mip == MIP_NONE ? 0 : sampler->last_level;
+    FOR_GROUP(i) to->f[i] = (to->level[i] < 0) | (to->level[i] >= last) ? 0 : to->f[i];
+    FOR_GROUP(i) to->level[i] = fgl_clamp(to->level[i], 0, last);
 }
 
 #endif

@@ -25,9 +25,9 @@ static FGL_ALWAYS_INLINE bool level_range(const struct level_choice *choice, con
 {
     int lo = FGL_MAX_TEXTURE_LEVELS, hi = -1;
     FOR_GROUP(i) {
-        const bool used = live[i] && !choice->magnify[i];
-        lo = used ? fgl_min(lo, choice->level[i]) : lo;
-        hi = used ? fgl_max(hi, choice->level[i] + (choice->f[i] > 0)) : hi;
+        const int32_t used = live[i] & ~choice->magnify[i], level = choice->level[i], next = level + (choice->f[i] > 0);
+        lo = fgl_min(lo, used ? level : lo);
+        hi = fgl_max(hi, used ? next : hi);
     }
     *first = lo;
     *last = hi;
@@ -60,11 +60,11 @@ static FGL_ALWAYS_INLINE void sample_packed(const struct sampler *sampler, const
         uint32_t next[FRAGMENT_GROUP];
         filter_packed(&sampler->level[level], at, dimensions, cube, sampler->min, wrap, next);
         FOR_GROUP(i) {
-            const bool min = !choice->magnify[i], upper = choice->level[i] + 1 == level;
-            const uint32_t weight = (uint32_t)(int32_t)(choice->f[i] * 256);
-            texel[i] = min && choice->level[i] == level ? next[i]
-                       : min && upper && weight         ? lerp_packed(weight, texel[i], next[i])
-                                                        : texel[i];
+            const int32_t min = !choice->magnify[i], here = min & (choice->level[i] == level),
+                          above = min & (choice->level[i] + 1 == level);
+            const uint32_t weight = above ? (uint32_t)(int32_t)(choice->f[i] * 256) : 0;
+            const uint32_t mixed = lerp_packed(weight, texel[i], next[i]); /* weight 0: texel */
+            texel[i] = here ? next[i] : mixed;
         }
     }
 }

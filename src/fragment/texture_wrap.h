@@ -17,7 +17,7 @@ struct texel_pair {
 static FGL_ALWAYS_INLINE int32_t to_int(real v)
 {
     const real limit = (real)2147483648.0;
-    return (int32_t)(v > -limit && v < limit ? v : -limit);
+    return (int32_t)r_select((v > -limit) & (v < limit), v, -limit); /* on bits: vectorises */
 }
 
 static FGL_ALWAYS_INLINE real round_even_of(real v)

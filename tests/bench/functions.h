@@ -8,6 +8,7 @@
 /* clang-format off */
 #define FOR_EACH_FUNCTION(F)                                                                                 \
     F(void, Accum, (GLenum, GLfloat))                                                                        \
+    F(void, ActiveTexture, (GLenum))                                                                         \
     F(void, AlphaFunc, (GLenum, GLfloat))                                                                    \
     F(void, Begin, (GLenum))                                                                                 \
     F(void, Bitmap, (GLsizei, GLsizei, GLfloat, GLfloat, GLfloat, GLfloat, const GLubyte *))                 \
@@ -17,6 +18,7 @@
     F(void, Color3fv, (const GLfloat *))                                                                     \
     F(void, Color4f, (GLfloat, GLfloat, GLfloat, GLfloat))                                                   \
     F(void, CopyPixels, (GLint, GLint, GLsizei, GLsizei, GLenum))                                            \
+    F(void, CopyTexSubImage2D, (GLenum, GLint, GLint, GLint, GLint, GLint, GLsizei, GLsizei))                \
     F(void, CullFace, (GLenum))                                                                              \
     F(void, Disable, (GLenum))                                                                               \
     F(void, DrawElements, (GLenum, GLsizei, GLenum, const GLvoid *))                                         \
@@ -39,6 +41,7 @@
     F(void, Materialf, (GLenum, GLenum, GLfloat))                                                            \
     F(void, Materialfv, (GLenum, GLenum, const GLfloat *))                                                   \
     F(void, MatrixMode, (GLenum))                                                                            \
+    F(void, MultiTexCoord2f, (GLenum, GLfloat, GLfloat))                                                     \
     F(void, NewList, (GLuint, GLenum))                                                                       \
     F(void, Normal3fv, (const GLfloat *))                                                                    \
     F(void, NormalPointer, (GLenum, GLsizei, const GLvoid *))                                                \
@@ -52,6 +55,10 @@
     F(void, ReadPixels, (GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, GLvoid *))                          \
     F(void, StencilFunc, (GLenum, GLint, GLuint))                                                            \
     F(void, StencilOp, (GLenum, GLenum, GLenum))                                                             \
+    F(void, TexEnvi, (GLenum, GLenum, GLint))                                                                \
+    F(void, TexImage2D, (GLenum, GLint, GLint, GLsizei, GLsizei, GLint, GLenum, GLenum, const GLvoid *))     \
+    F(void, TexParameteri, (GLenum, GLenum, GLint))                                                          \
+    F(void, TexSubImage2D, (GLenum, GLint, GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, const GLvoid *))  \
     F(void, Translatef, (GLfloat, GLfloat, GLfloat))                                                         \
     F(void, Vertex2f, (GLfloat, GLfloat))                                                                    \
     F(void, Vertex3f, (GLfloat, GLfloat, GLfloat))                                                           \

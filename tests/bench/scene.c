@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static const struct scene *const lists[] = {sphere_scenes, primitive_scenes, fragment_scenes, pixel_scenes, command_scenes};
+static const struct scene *const lists[] = {sphere_scenes, primitive_scenes, fragment_scenes, texture_scenes, pixel_scenes, command_scenes};
 
 enum { LISTS = sizeof lists / sizeof lists[0] };
 

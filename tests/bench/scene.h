@@ -32,7 +32,8 @@ const struct scene *scene_at(int index);
 int scene_count(void);
 
 /* The files' lists, each ended by a scene without name. */
-extern const struct scene sphere_scenes[], primitive_scenes[], fragment_scenes[], pixel_scenes[], command_scenes[];
+extern const struct scene sphere_scenes[], primitive_scenes[], fragment_scenes[], texture_scenes[],
+        pixel_scenes[], command_scenes[];
 
 /* A message on stderr, and the end. detail may be NULL. */
 void fail(const char *what, const char *detail);
