@@ -21,6 +21,7 @@ extern const struct scene scenes_of_lights[];
 extern const struct scene scenes_of_materials[];
 extern const struct scene scenes_of_arrays[];
 extern const struct scene scenes_of_lists[];
+extern const struct scene scenes_of_textures[];
 
 /* ---- what several of them use (common.c) ---- */
 

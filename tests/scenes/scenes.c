@@ -52,6 +52,7 @@ static void collect(void)
     static const struct scene *const groups[] = {
             scenes_of_primitives, scenes_of_clipping,  scenes_of_rasterization, scenes_of_matrices,
             scenes_of_lights,     scenes_of_materials, scenes_of_arrays,        scenes_of_lists,
+            scenes_of_textures,
     };
     for (size_t i = 0; i < sizeof groups / sizeof groups[0]; i++)
         for (const struct scene *scene = groups[i]; scene->name != NULL && scene_count < MOST_SCENES; scene++)
