@@ -1539,6 +1539,8 @@ typedef void (APIENTRYP PFNGLTEXSUBIMAGE3DEXTPROC)(GLenum target, GLint level, G
 #define GL_RG16UI                                  0x823A
 #define GL_RG32I                                   0x823B
 #define GL_RG32UI                                  0x823C
+#define GL_COMPRESSED_RED                          0x8225
+#define GL_COMPRESSED_RG                           0x8226
 #endif
 
 /* Textures of signed integers that stand for -1 to 1. */

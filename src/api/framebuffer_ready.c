@@ -15,7 +15,7 @@ static bool is_complete(const struct attachment *a, int point)
     switch (point) {
     case ATTACHMENT_DEPTH: return image->kind == TEXELS_DEPTH && image->texels;
     case ATTACHMENT_STENCIL: return image->stencil != NULL;
-    default: return image->kind != TEXELS_DEPTH && !fgl_texture_format_compressed(image->format);
+    default: return fgl_texture_format_drawable(image->format);
     }
 }
 

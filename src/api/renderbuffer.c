@@ -138,7 +138,7 @@ static const struct texture_format *format_of(GLenum internal_format, bool *sten
     }
     *stencil = false;
     const struct texture_format *f = internal_format > 4 ? fgl_texture_format(internal_format) : NULL;
-    return f && !fgl_texture_format_compressed(f) ? f : NULL;
+    return f && (f->kind == TEXELS_DEPTH || fgl_texture_format_drawable(f)) ? f : NULL;
 }
 
 /* Makes an image without texels or stencil what it says. */

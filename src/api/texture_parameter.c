@@ -171,6 +171,7 @@ static bool level_value(const struct texture_image *image, bool proxy, GLenum pn
     case GL_TEXTURE_LUMINANCE_SIZE:
     case GL_TEXTURE_INTENSITY_SIZE:
     case GL_TEXTURE_DEPTH_SIZE: *v = image->format ? channel_size(image->format, pname) : 0; return true;
+    case GL_TEXTURE_STENCIL_SIZE_EXT: *v = image->stencil ? 8 : 0; return true;
     case GL_TEXTURE_SHARED_SIZE_EXT: *v = image->format && image->format->encoding == ENCODED_SHARED_EXPONENT ? 5 : 0; return true;
     case GL_TEXTURE_RED_TYPE_ARB:
     case GL_TEXTURE_GREEN_TYPE_ARB:

@@ -69,6 +69,8 @@ static const struct texture_format formats[] = {
         {GL_RG, GL_RG, U, {8, 8}},
         {GL_RG8, GL_RG, U, {8, 8}},
         {GL_RG16, GL_RG, W, {16, 16}},
+        {GL_COMPRESSED_RED, GL_RED, U, {8}},
+        {GL_COMPRESSED_RG, GL_RG, U, {8, 8}},
         {GL_R16F, GL_RED, F, {16}},
         {GL_RG16F, GL_RG, F, {16, 16}},
         {GL_RGB16F_ARB, GL_RGB, F, {16, 16, 16}},

@@ -41,8 +41,14 @@ static inline bool fgl_texture_format_keeps_bytes(const struct texture_format *f
 static inline bool fgl_texture_format_compressed(const struct texture_format *format)
 {
     const GLenum f = format->internal_format;
-    return (f >= GL_COMPRESSED_ALPHA && f <= GL_COMPRESSED_RGBA) ||
+    return (f >= GL_COMPRESSED_ALPHA && f <= GL_COMPRESSED_RGBA) || f == GL_COMPRESSED_RED || f == GL_COMPRESSED_RG ||
            (f >= GL_COMPRESSED_SRGB_EXT && f <= GL_COMPRESSED_SLUMINANCE_ALPHA_EXT);
+}
+
+/* Whether images of the format can be drawn to. */
+static inline bool fgl_texture_format_drawable(const struct texture_format *format)
+{
+    return format->kind != TEXELS_DEPTH && format->encoding == ENCODED_UNORM && !fgl_texture_format_compressed(format);
 }
 
 /* NULL for an enum that is no internal format. */
