@@ -413,6 +413,8 @@ void fgl_exec_CopyPixels(struct context *ctx, GLint x, GLint y, GLsizei width, G
     if (!fgl_draw_ready(ctx) || !fgl_read_ready(ctx))
         return;
     RETURN_ERROR_IF(ctx, type == GL_COLOR && !fgl_framebuffer_reads_color(ctx), GL_INVALID_OPERATION);
+    const struct framebuffer *from = ctx->read_framebuffer;
+    RETURN_ERROR_IF(ctx, from && ((type == GL_DEPTH && !from->depth) || (type == GL_STENCIL && !from->stencil_bits)), GL_INVALID_OPERATION);
     fgl_flush_vertices(ctx, 0);
     if (!ctx->framebuffer || !ctx->read_framebuffer || !ctx->s.current.raster_position_valid || width == 0 || height == 0)
         return;

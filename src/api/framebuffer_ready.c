@@ -61,6 +61,17 @@ static struct surfaces surfaces_of(const struct framebuffer_object *f, GLenum bu
     return s;
 }
 
+/* What all attachments have is drawn to, whichever of them are. */
+static void find_size(const struct framebuffer_object *f, int *width, int *height)
+{
+    *width = *height = FGL_MAX_TEXTURE_SIZE;
+    for (int i = 0; i < ATTACHMENTS; i++) {
+        const struct texture_image *image = fgl_attachment_image(&f->attachment[i]);
+        *width = image ? fgl_min(*width, image->width) : *width;
+        *height = image ? fgl_min(*height, image->height) : *height;
+    }
+}
+
 /* NULL: incomplete, or memory is short. */
 static struct framebuffer *load(struct context *ctx, const struct framebuffer_object *f, GLenum buffer, bool reading)
 {
@@ -70,7 +81,9 @@ static struct framebuffer *load(struct context *ctx, const struct framebuffer_ob
     if (fgl_framebuffer_status(f) != GL_FRAMEBUFFER_COMPLETE)
         return NULL;
     const struct surfaces s = surfaces_of(f, buffer);
-    if (fgl_surface_load(planes, &s.color, &s.depth, &s.stencil, reading))
+    int width, height;
+    find_size(f, &width, &height);
+    if (fgl_surface_load(planes, width, height, &s.color, &s.depth, &s.stencil, reading))
         return planes;
     fgl_error(ctx, GL_OUT_OF_MEMORY);
     return NULL;
@@ -83,7 +96,7 @@ static bool reads_drawn(const struct context *ctx)
     const GLenum buffer = ctx->s.pixel_mode.read_buffer;
     if (fbs->read != fbs->draw)
         return false;
-    if (fbs->read == &fbs->window)
+    if (fbs->read == &fbs->window || !ctx->framebuffer)
         return true;
     const struct texture_image *color = surfaces_of(fbs->read, buffer).color.image;
     return !color || (buffer == ctx->s.color_buffer.draw_buffer && fgl_surface_is_plain(color));

@@ -140,22 +140,10 @@ static uint8_t *stencil_row(const struct surface *s, int y)
 
 /* ---- all of it ---- */
 
-static void shrink(const struct surface *s, int *width, int *height)
-{
-    if (!s->image)
-        return;
-    *width = fgl_min(*width, s->image->width);
-    *height = fgl_min(*height, s->image->height);
-}
-
 /* Empty planes that fit the surfaces. */
-static bool make_planes(struct framebuffer *fb, const struct surface *color, const struct surface *depth, const struct surface *stencil,
-                        enum color_kind kind)
+static bool make_planes(struct framebuffer *fb, int width, int height, const struct surface *color, const struct surface *depth,
+                        const struct surface *stencil, enum color_kind kind)
 {
-    int width = FGL_MAX_TEXTURE_SIZE, height = FGL_MAX_TEXTURE_SIZE;
-    shrink(color, &width, &height);
-    shrink(depth, &width, &height);
-    shrink(stencil, &width, &height);
     const int depth_bits = depth->image ? fgl_min(depth->image->format->bits[0], MAX_DEPTH_BITS) : 0;
     const int stencil_bits = stencil->image ? 8 : 0;
     if (fb->depth_bits != depth_bits || fb->stencil_bits != stencil_bits)
@@ -167,11 +155,11 @@ static bool make_planes(struct framebuffer *fb, const struct surface *color, con
     return fgl_framebuffer_resize(fb, width, height, kind) && fgl_framebuffer_need_stencil(fb);
 }
 
-bool fgl_surface_load(struct framebuffer *fb, const struct surface *color, const struct surface *depth, const struct surface *stencil,
-                      bool reading)
+bool fgl_surface_load(struct framebuffer *fb, int width, int height, const struct surface *color, const struct surface *depth,
+                      const struct surface *stencil, bool reading)
 {
     const bool as_floats = reading && color->image && !fgl_surface_is_plain(color->image);
-    if (!make_planes(fb, color, depth, stencil, as_floats ? COLOR_FLOAT : drawn_kind(color->image)))
+    if (!make_planes(fb, width, height, color, depth, stencil, as_floats ? COLOR_FLOAT : drawn_kind(color->image)))
         return false;
     for (int y = 0; y < fb->height; y++) {
         if (color->image)

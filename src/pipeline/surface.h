@@ -17,10 +17,10 @@ struct surface {
 /* Whether such pixels are all that the image keeps: RGB or RGBA of bytes or words. Others are read as floats, as they were rounded. */
 bool fgl_surface_is_plain(const struct texture_image *image);
 
-/* Makes *fb a framebuffer with the size of what all three surfaces have (at least one is there), and their pixels. reading: nothing will be
+/* Makes *fb a framebuffer of this size, which all the surfaces have at least, and their pixels. reading: nothing will be
  * drawn to it. Returns false when memory is short. */
-bool fgl_surface_load(struct framebuffer *fb, const struct surface *color, const struct surface *depth, const struct surface *stencil,
-                      bool reading);
+bool fgl_surface_load(struct framebuffer *fb, int width, int height, const struct surface *color, const struct surface *depth,
+                      const struct surface *stencil, bool reading);
 
 /* The pixels back into the surfaces, each of them rounded to its format. */
 void fgl_surface_store(const struct framebuffer *fb, const struct surface *color, const struct surface *depth,
