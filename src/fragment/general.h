@@ -1,6 +1,6 @@
 /* The general path: everything that a plan can ask for, a stage after the other in the order of
- * GL 1.5, 3.8-3.10 and 4.1, a group at a time. Whatever the fused kernels draw, it draws to the same bytes.
- */
+ * GL 1.5, 3.8-3.10 and 4.1, a group at a time; stencil and depth before all colours where these decide nothing.
+ * Whatever the fused kernels draw, it draws to the same bytes. */
 #ifndef FGL_FRAGMENT_GENERAL_H
 #define FGL_FRAGMENT_GENERAL_H
 
@@ -8,30 +8,44 @@
 #include "fragment/light.h"
 #include "fragment/texture_environment.h"
 
+/* Whether any fragment is left to be written. */
+static inline bool pass_tests(struct fragments *f, const struct fragment_plan *plan, const struct planes *planes)
+{
+    if (plan->stencil_test || plan->depth_test)
+        stencil_depth_test(f, plan, planes);
+    if (FGL_UNLIKELY(plan->samples_passed != NULL))
+        count_samples(f, plan);
+    return plan->color_write && any_live(f);
+}
+
+static inline void find_colors(struct fragments *f, const struct fragment_plan *plan, const struct planes *planes)
+{
+    if (FGL_UNLIKELY(plan->color_source == COLOR_LIT))
+        light_group(f, plan, planes);
+    else
+        interpolate_color(f, plan, planes);
+    if (plan->textures)
+        apply_textures(f, plan, planes);
+    if (plan->has_secondary)
+        add_secondary_color(f, plan, planes);
+    if (plan->has_fog)
+        apply_fog(f, plan, planes);
+}
+
 static void general_group(const struct fragment_plan *plan, const struct planes *planes, int row, int x,
                           int x0, int x1)
 {
     struct fragments f;
+    const bool color_decides = plan->alpha_test || planes->smoothing; /* else the tests may come first */
     start_fragments(&f, plan, planes, row, x, x0, x1);
-    if (FGL_UNLIKELY(plan->color_source == COLOR_LIT))
-        light_group(&f, plan, planes);
-    else
-        interpolate_color(&f, plan, planes);
-    if (plan->textures)
-        apply_textures(&f, plan, planes);
-    if (plan->has_secondary)
-        add_secondary_color(&f, plan, planes);
-    if (plan->has_fog)
-        apply_fog(&f, plan, planes);
+    if (!color_decides && !pass_tests(&f, plan, planes))
+        return;
+    find_colors(&f, plan, planes);
     if (planes->smoothing)
         apply_smoothing(&f, planes);
     if (plan->alpha_test)
         alpha_test(&f, plan);
-    if (plan->stencil_test || plan->depth_test)
-        stencil_depth_test(&f, plan, planes);
-    if (FGL_UNLIKELY(plan->samples_passed != NULL))
-        count_samples(&f, plan);
-    if (!plan->color_write || !any_live(&f))
+    if (color_decides && !pass_tests(&f, plan, planes))
         return;
     if (plan->fb->color_kind == COLOR_FLOAT)
         write_float(&f, plan);

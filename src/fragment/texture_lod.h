@@ -157,7 +157,7 @@ static FGL_ALWAYS_INLINE void choose_levels(const struct fragments *fragments, c
         scale_factors(sampler, count, odd ? other : at, odd ? at : other, rho);
     levels_wanted(sampler, count, rho, to);
     const int32_t last = sampler->mip == MIP_NONE ? 0 : sampler->last_level;
-    FOR_GROUP(i) to->f[i] = (to->level[i] < 0) | (to->level[i] >= last) ? 0 : to->f[i];
+    FOR_GROUP(i) to->f[i] = ((to->level[i] < 0) | (to->level[i] >= last)) ? 0 : to->f[i];
     FOR_GROUP(i) to->level[i] = fgl_clamp(to->level[i], 0, last);
 }
 
