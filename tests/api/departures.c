@@ -173,7 +173,7 @@ static void unlit_secondary_colors_are_not_summed(void **state)
     glSecondaryColor3f(1, 0, 0);
     glRectf(-1, -1, 1, 1);
     glFinish();
-    assert_int_equal(picture[0], 0); /* on OSMesa too, in this simple case */
+    assert_int_equal(picture[0], 0); /* on OSMesa too */
 }
 
 int main(void)
