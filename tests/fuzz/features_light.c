@@ -90,12 +90,11 @@ static void emit_material(struct generator *g)
     /* Not GL_BACK alone where it becomes an attribute of vertices: OSMesa confuses it with another material then. */
     const bool of_vertices = g->inside || g->compiling;
     const double face = of_vertices ? ONE_OF(g, GL_FRONT, GL_FRONT_AND_BACK) : ONE_OF(g, GL_FRONT, GL_FRONT_AND_BACK, GL_FRONT_AND_BACK, GL_BACK);
-    if (chance(g, 30)) {
-        const double shininess = chance(g, 10) && g->plain_lights ? 0.0 : real(g, 0.5, 128.0);
+    if (chance(g, 30) && !g->without_shininess) {
         if (chance(g, 20))
             EMIT(g, Materiali, face, GL_SHININESS, integer(g, 1, 128));
         else
-            EMIT(g, Materialf, face, GL_SHININESS, shininess);
+            EMIT(g, Materialf, face, GL_SHININESS, real(g, 0.5, 128.0));
         return;
     }
     double c[4];

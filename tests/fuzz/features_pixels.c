@@ -179,6 +179,8 @@ void feature_draw_pixels(struct generator *g)
         return;
     emit_place(g);
     const int count = random_store(g, width, height, type->bytes, per_pixel);
+    if (g->arrays_set) /* after arrays were drawn the current coordinates are indeterminate (GL 1.5, 2.8) */
+        EMIT(g, TexCoord4f, real(g, -1.0, 2.0), real(g, -1.0, 2.0), real(g, -1.0, 2.0), 1.0);
     EMIT(g, DrawPixels, width, height, format, type->type);
     add_elements(g, type, count, indexes);
 }

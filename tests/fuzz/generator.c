@@ -243,7 +243,9 @@ void generate(struct generator *g, struct script *script, uint64_t seed)
     generate_clear(g);
     if (g->enabled[FEATURE_view])
         emit_feature(g, FEATURE_view);
-    if (g->enabled[FEATURE_lighting] && !g->plain_lights)
+    /* Shininess 0 is a named departure where other materials or lights with attenuation are lit with it. */
+    g->without_shininess = g->plain_lights && chance(g, 30);
+    if (g->enabled[FEATURE_lighting] && !g->without_shininess)
         EMIT(g, Materialf, GL_FRONT_AND_BACK, GL_SHININESS, real(g, 0.5, 128.0));
     for (int scenes = integer(g, 1, 3); scenes > 0; scenes--)
         generate_scene(g);

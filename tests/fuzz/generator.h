@@ -41,7 +41,7 @@ struct generator {
      * batch of vertices. A Color3 of anything but floats counts as Color4. */
     int color_size, tex_coord_size;
     /* Lights are plain, neither attenuated nor spots, or no shininess is 0; and lit vertices have w = 1. Else OSMesa is wrong. */
-    bool plain_lights;
+    bool plain_lights, without_shininess;
     int depth;   /* of lists and stacks within each other */
     bool compiling, executing; /* a list is compiled, and executed */
     bool inside;               /* Begin/End */
