@@ -818,7 +818,7 @@ static void attribute_groups(void **state)
 static void display_lists(void **state)
 {
     (void)state;
-    GLfloat table[2][4] = {{.25f, .5f, .75f, 1}, {1, .5f, .25f, 0}}, row[3] = {1, 2, 3}, column[2] = {4, 5};
+    GLfloat table[3][4] = {{.25f, .5f, .75f, 1}, {1, .5f, .25f, 0}}, row[3] = {1, 2, 3}, column[2] = {4, 5};
     GLint width = -1;
     const GLuint list = glGenLists(1);
     glNewList(list, GL_COMPILE);
