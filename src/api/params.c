@@ -187,6 +187,20 @@ void fgl_param_set(struct context *ctx, unsigned dirty, const struct param *p, v
     }
 }
 
+void fgl_param_set_clamped(struct context *ctx, unsigned dirty, const struct param *p, void *object, const float *v)
+{
+    float clamped[4];
+
+    for (int i = 0; i < p->count; i++)
+        clamped[i] = p->kind == PARAM_COLOR ? fgl_clamp01(v[i]) : v[i];
+    fgl_param_set(ctx, dirty, p, object, clamped);
+}
+
+GLenum fgl_param_scalar(const struct param *p)
+{
+    return count_of(p) == 1 ? p->pname : GL_NONE;
+}
+
 void fgl_param_get(const struct param *p, const void *object, float *v)
 {
     const void *field = (const char *)object + p->offset;

@@ -36,6 +36,12 @@ bool fgl_param_allows(const struct param *p, const float *v);
 /* Stores a checked value in its object (see offset). */
 void fgl_param_set(struct context *ctx, unsigned dirty, const struct param *p, void *object, const float *v);
 
+/* The same with colours clamped to [0,1], as those of textures are (GL 1.5, 3.8.4, 3.8.13). */
+void fgl_param_set_clamped(struct context *ctx, unsigned dirty, const struct param *p, void *object, const float *v);
+
+/* The row's pname if it has a single value, which the scalar forms take; else, and for NULL, GL_NONE, which none takes. */
+GLenum fgl_param_scalar(const struct param *p);
+
 /* The value in its object. */
 void fgl_param_get(const struct param *p, const void *object, float *v);
 

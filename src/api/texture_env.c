@@ -85,11 +85,7 @@ void fgl_exec_TexEnvfv(struct context *ctx, GLenum target, GLenum pname, const G
     const bool scale = pname == GL_RGB_SCALE || pname == GL_ALPHA_SCALE, boolean = p->kind == PARAM_BOOL;
     RETURN_ERROR_IF(ctx, scale && params[0] != 1.0f && params[0] != 2.0f && params[0] != 4.0f, GL_INVALID_VALUE);
     RETURN_ERROR_IF(ctx, boolean && params[0] != 0.0f && params[0] != 1.0f, GL_INVALID_VALUE);
-
-    float v[4];
-    for (int i = 0; i < p->count; i++)
-        v[i] = p->kind == PARAM_COLOR ? fgl_clamp01(params[i]) : params[i];
-    fgl_param_set(ctx, DIRTY_TEXTURE, p, active_env(ctx), v);
+    fgl_param_set_clamped(ctx, DIRTY_TEXTURE, p, active_env(ctx), params);
 }
 
 void GLAPIENTRY glTexEnviv(GLenum target, GLenum pname, const GLint *params)
@@ -99,20 +95,14 @@ void GLAPIENTRY glTexEnviv(GLenum target, GLenum pname, const GLint *params)
     glTexEnvfv(target, pname, v);
 }
 
-/* The scalar forms take single-valued parameters only: any other pname is none of theirs. */
-static GLenum scalar(GLenum pname)
-{
-    return fgl_count_texture_env(pname) == 1 ? pname : GL_NONE;
-}
-
 void GLAPIENTRY glTexEnvf(GLenum target, GLenum pname, GLfloat param)
 {
-    glTexEnvfv(target, scalar(pname), &param);
+    glTexEnvfv(target, fgl_param_scalar(fgl_texture_env_param(pname)), &param);
 }
 
 void GLAPIENTRY glTexEnvi(GLenum target, GLenum pname, GLint param)
 {
-    glTexEnviv(target, scalar(pname), &param);
+    glTexEnviv(target, fgl_param_scalar(fgl_texture_env_param(pname)), &param);
 }
 
 /* The row with its value; NULL after recording an error. */

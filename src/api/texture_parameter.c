@@ -50,11 +50,8 @@ void fgl_exec_TexParameterfv(struct context *ctx, GLenum target, GLenum pname, c
     RETURN_ERROR_IF(ctx, p->kind == PARAM_ENUM && !enum_allowed(pname, fgl_enum_from_float(params[0])), GL_INVALID_ENUM);
     RETURN_ERROR_IF(ctx, !fgl_param_allows(p, params), GL_INVALID_VALUE);
 
-    float v[4];
-    for (int i = 0; i < p->count; i++)
-        v[i] = p->kind == PARAM_COLOR ? fgl_clamp01(params[i]) : params[i];
     struct texture_object *object = fgl_bound_texture(ctx, t);
-    fgl_param_set(ctx, DIRTY_TEXTURE, p, &object->parameters, v);
+    fgl_param_set_clamped(ctx, DIRTY_TEXTURE, p, &object->parameters, params);
     fgl_texture_changed(object);
 }
 
@@ -65,20 +62,14 @@ void GLAPIENTRY glTexParameteriv(GLenum target, GLenum pname, const GLint *param
     glTexParameterfv(target, pname, v);
 }
 
-/* The scalar forms take single-valued parameters only: any other pname is none of theirs. */
-static GLenum scalar(GLenum pname)
-{
-    return fgl_count_texture(pname) == 1 ? pname : GL_NONE;
-}
-
 void GLAPIENTRY glTexParameterf(GLenum target, GLenum pname, GLfloat param)
 {
-    glTexParameterfv(target, scalar(pname), &param);
+    glTexParameterfv(target, fgl_param_scalar(fgl_texture_param(pname)), &param);
 }
 
 void GLAPIENTRY glTexParameteri(GLenum target, GLenum pname, GLint param)
 {
-    glTexParameteriv(target, scalar(pname), &param);
+    glTexParameteriv(target, fgl_param_scalar(fgl_texture_param(pname)), &param);
 }
 
 /* ---- glGetTexParameter ---- */

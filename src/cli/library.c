@@ -110,6 +110,26 @@ static bool take_first_line(char *line, void *context, struct problem *problem)
     return true;
 }
 
+/* A new empty file's name; NULL when there can be none. */
+static char *make_file(void)
+{
+    char *name = fgl_temporary_name();
+    const int file = mkstemp(name);
+    if (file >= 0) {
+        close(file);
+        return name;
+    }
+    free(name);
+    return NULL;
+}
+
+static void remove_file(char *name)
+{
+    if (name)
+        remove(name);
+    free(name);
+}
+
 /* Runs a short program and hands each line of its output to `use`; of its errors, if it fails, to `problem`.
  */
 static bool read_output(char *const *argv, bool (*use)(char *, void *, struct problem *), void *context,
@@ -118,22 +138,17 @@ static bool read_output(char *const *argv, bool (*use)(char *, void *, struct pr
     /* OSMesa keeps a little memory to the end, which is no fault of a sanitized build of this tool. */
     static const char *const set[] = {"MESA_SHADER_CACHE_DISABLE=true", "LC_ALL=C",
                                       "ASAN_OPTIONS=detect_leaks=0", NULL};
-    char output[] = "/tmp/fixedgl-output-XXXXXX", errors[] = "/tmp/fixedgl-errors-XXXXXX";
-    const int output_file = mkstemp(output), errors_file = mkstemp(errors);
-    if (output_file < 0 || errors_file < 0)
-        return fgl_problem_set(problem, "cannot make a temporary file");
-    close(output_file);
-    close(errors_file);
+    char *output = make_file(), *errors = make_file();
     const struct child child = {argv, set, output, errors, query_timeout};
     struct problem said = {""}, ignored;
-    bool good = fgl_child_run(&child, problem);
+    bool good = output && errors ? fgl_child_run(&child, problem) : fgl_problem_set(problem, "cannot make a temporary file");
     if (good)
         good = fgl_read_lines(output, use, context, problem);
-    else if (fgl_read_lines(errors, take_first_line, &said, &ignored) && said.text[0] != '\0')
+    else if (errors && fgl_read_lines(errors, take_first_line, &said, &ignored) && said.text[0] != '\0')
         *problem = said;
     fgl_take_value(said.text, "fixedgl", problem->text, sizeof problem->text);
-    remove(output);
-    remove(errors);
+    remove_file(output);
+    remove_file(errors);
     return good;
 }
 

@@ -1,6 +1,8 @@
 /* Plots as inline SVG. Lengths are in pixels of the SVG's own coordinate system. */
 #include "plot.h"
 
+#include "support.h"
+
 #include <math.h>
 
 enum { WIDTH = 620, HEIGHT = 300, LEFT = 58, RIGHT = 12, TOP = 10, BOTTOM = 40 };
@@ -22,19 +24,6 @@ static double x_of(const struct plot_axis *axis, double value)
 static double y_of(const struct plot_axis *axis, double value)
 {
     return HEIGHT - BOTTOM - (HEIGHT - TOP - BOTTOM) * position(axis, value);
-}
-
-void fgl_plot_escape(FILE *page, const char *text)
-{
-    for (; *text != '\0'; text++) {
-        switch (*text) {
-        case '&': fputs("&amp;", page); break;
-        case '<': fputs("&lt;", page); break;
-        case '>': fputs("&gt;", page); break;
-        case '"': fputs("&quot;", page); break;
-        default: fputc(*text, page); break;
-        }
-    }
 }
 
 /* From one mark to the next: so many decades that there are at most eight; or a power of two of the range. */
@@ -83,7 +72,7 @@ static void write_axis(FILE *page, const struct plot_axis *axis, bool vertical)
                 (TOP + HEIGHT - BOTTOM) / 2);
     else
         fprintf(page, "<text class=\"title\" x=\"%d\" y=\"%d\">", (LEFT + WIDTH - RIGHT) / 2, HEIGHT - 6);
-    fgl_plot_escape(page, axis->title);
+    fgl_put_escaped(page, axis->title);
     fputs("</text>\n", page);
 }
 
@@ -102,7 +91,7 @@ static void write_series(FILE *page, const struct plot_axis *x, const struct plo
                 x_of(x, s->x[i]), y_of(y, s->y[i]), s->color, s->name);
         if (s->label != NULL) {
             fputs(", ", page);
-            fgl_plot_escape(page, s->label[i]);
+            fgl_put_escaped(page, s->label[i]);
         }
         fprintf(page, ": %.3g, %.2e</title></circle>\n", s->x[i], s->y[i]);
     }

@@ -24,7 +24,4 @@ struct plot_series {
 void fgl_plot_write(FILE *page, const struct plot_axis *x, const struct plot_axis *y,
                     const struct plot_series *series, int count);
 
-/* Writes text with the characters that mean something in HTML replaced. */
-void fgl_plot_escape(FILE *page, const char *text);
-
 #endif

@@ -10,25 +10,12 @@
 
 #include "report_page.h"
 
-static void put_escaped(FILE *page, const char *text)
-{
-    for (; *text != '\0'; text++) {
-        switch (*text) {
-        case '&': fputs("&amp;", page); break;
-        case '<': fputs("&lt;", page); break;
-        case '>': fputs("&gt;", page); break;
-        case '"': fputs("&quot;", page); break;
-        default: fputc(*text, page); break;
-        }
-    }
-}
-
 static void put_paragraph(FILE *page, const char *before, const char *text, const char *after)
 {
     if (text == NULL || text[0] == '\0')
         return;
     fprintf(page, "<p>%s", before);
-    put_escaped(page, text);
+    fgl_put_escaped(page, text);
     fprintf(page, "%s</p>\n", after);
 }
 
@@ -76,10 +63,10 @@ static void put_heading(FILE *page, const struct result *result)
     fprintf(page, "<section class=\"%s\" id=\"%s\">\n<h2>%s</h2><span class=\"verdict\">%s</span>", verdict,
             picture->name, picture->name, verdict);
     fprintf(page, "<span class=\"soft\">%d&times;%d, ", result->width, result->height);
-    put_escaped(page, picture->program);
+    fgl_put_escaped(page, picture->program);
     if (picture->events[0] != '\0') {
         fputs(" after <code>", page);
-        put_escaped(page, picture->events);
+        fgl_put_escaped(page, picture->events);
         fputs("</code>", page);
     }
     fputs("</span>\n", page);

@@ -18,8 +18,7 @@ struct files {
 
 static bool make_files(struct files *f, const char *suffix, struct problem *problem)
 {
-    const char *base = getenv("TMPDIR");
-    f->folder = fgl_format("%s/fixedgl-XXXXXX", base && *base ? base : "/tmp");
+    f->folder = fgl_temporary_name();
     if (!mkdtemp(f->folder))
         return fgl_problem_set(problem, "cannot make %s: %s", f->folder, strerror(errno));
     f->out = fgl_format("%s/out%s", f->folder, suffix);

@@ -50,6 +50,25 @@ char *fgl_format(const char *format, ...)
     return text;
 }
 
+void fgl_put_escaped(FILE *page, const char *text)
+{
+    for (; *text != '\0'; text++) {
+        switch (*text) {
+        case '&': fputs("&amp;", page); break;
+        case '<': fputs("&lt;", page); break;
+        case '>': fputs("&gt;", page); break;
+        case '"': fputs("&quot;", page); break;
+        default: fputc(*text, page); break;
+        }
+    }
+}
+
+char *fgl_temporary_name(void)
+{
+    const char *folder = getenv("TMPDIR");
+    return fgl_format("%s/fixedgl-XXXXXX", folder && *folder ? folder : "/tmp");
+}
+
 void *fgl_allocate(size_t count, size_t size)
 {
     return checked(calloc(count > 0 ? count : 1, size));

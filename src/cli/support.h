@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
 
 /* Exit codes of every subcommand. */
 enum exit_code {
@@ -25,6 +26,12 @@ int fgl_complain(const char *format, ...);
 
 /* A new string, formatted as printf does; the caller frees it. */
 char *fgl_format(const char *format, ...);
+
+/* Writes text with the characters that mean something in HTML replaced. */
+void fgl_put_escaped(FILE *page, const char *text);
+
+/* A new template for mkstemp or mkdtemp in the folder that TMPDIR names, else in /tmp; the caller frees it. */
+char *fgl_temporary_name(void);
 
 /* Zeroed memory for `count` things of `size` bytes; ends the program with a message when there is none. */
 void *fgl_allocate(size_t count, size_t size);

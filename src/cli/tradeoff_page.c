@@ -222,7 +222,7 @@ static void put_sweeps(FILE *page, const struct tradeoff *t)
         if (t->jobs[i].kind != SWEEP)
             continue;
         fputs("<div><h3>", page);
-        fgl_plot_escape(page, t->jobs[i].name);
+        fgl_put_escaped(page, t->jobs[i].name);
         fputs("</h3>\n", page);
         put_sweep(page, &t->jobs[i]);
         fputs("</div>\n", page);
@@ -251,7 +251,7 @@ static void put_spheres(FILE *page, const struct tradeoff *t)
         if (t->jobs[i].kind != SPHERE)
             continue;
         fputs("<tr><td>", page);
-        fgl_plot_escape(page, t->jobs[i].name);
+        fgl_put_escaped(page, t->jobs[i].name);
         for (int k = 0; k < RENDERERS; k++) {
             if (!takes_part(t, order[k], SPHERE))
                 continue;
@@ -271,7 +271,7 @@ static void put_row(FILE *page, const struct tradeoff_job *job, int renderer, bo
     const struct tradeoff_figures *f = job->result[renderer].figures;
     fprintf(page, "<tr%s><td>", first ? " class=\"first\"" : "");
     if (first)
-        fgl_plot_escape(page, job->name);
+        fgl_put_escaped(page, job->name);
     fprintf(page, "<td class=\"who\">%s<td%s>%.1e<td>%.1e<td>%.1e<td>%ld<td>%ld<td>%.1f",
             fgl_tradeoff_renderers[renderer].name, f->max > byte_step ? " class=\"bad\"" : "", f->max,
             f->p999, f->mean, f->bytes, f->invalid, f->ns);
@@ -313,9 +313,9 @@ bool fgl_tradeoff_write_page(const struct tradeoff *t, struct problem *problem)
     }
     fputs(head, page);
     fputs("<h1>Speed against accuracy</h1>\n<p class=\"soft\">", page);
-    fgl_plot_escape(page, t->gl_renderer[1]);
+    fgl_put_escaped(page, t->gl_renderer[1]);
     fputs("; ", page);
-    fgl_plot_escape(page, t->osmesa != NULL ? t->gl_renderer[0] : "OSMesa is not installed");
+    fgl_put_escaped(page, t->osmesa != NULL ? t->gl_renderer[0] : "OSMesa is not installed");
     fprintf(page, "; seed %s, %d vertices per category; the truth is computed in 113 bits</p>\n", t->seed,
             t->vertices);
     put_summary(page, t, LIGHTING, "Lit vertices");

@@ -7,14 +7,12 @@
 
 #if R_EXACT
 #define PLAN_TEXTURE(plan, k) (&(plan)->exact.texture[k])
-typedef double real_number;
 #else
 #define PLAN_TEXTURE(plan, k) (&(plan)->texture[k].numbers)
-typedef float real_number;
 #endif
 
 /* A plane's distance. OSMesa rule: summed from w on. */
-static FGL_ALWAYS_INLINE real plane_distance(struct real4 p, const real_number plane[4])
+static FGL_ALWAYS_INLINE real plane_distance(struct real4 p, const real plane[4])
 {
     return ((p.w * plane[3] + p.z * plane[2]) + p.y * plane[1]) + p.x * plane[0];
 }
@@ -33,7 +31,7 @@ static FGL_ALWAYS_INLINE void given_coordinate(const struct vertex_plan *plan, s
             to[i] = constant;
 }
 
-static FGL_ALWAYS_INLINE void linear_coordinate(const struct vertex_plan *plan, struct vertex_batch *b, const real_number plane[4],
+static FGL_ALWAYS_INLINE void linear_coordinate(const struct vertex_plan *plan, struct vertex_batch *b, const real plane[4],
                                                 const bool eye, int first, int n, real *FGL_RESTRICT to)
 {
     const real *m = PLAN_NUMBERS(plan)->modelview;
@@ -87,7 +85,7 @@ static FGL_NOINLINE void generate_coordinate(const struct vertex_plan *plan, str
     }
 }
 
-static FGL_ALWAYS_INLINE void transform_coordinates(const real_number m[16], struct vertex_work *FGL_RESTRICT work, int n)
+static FGL_ALWAYS_INLINE void transform_coordinates(const real m[16], struct vertex_work *FGL_RESTRICT work, int n)
 {
     for (int i = 0, end = whole_groups(n); i < end; i++) {
         const struct real4 p = {work->texture[0][i], work->texture[1][i], work->texture[2][i], work->texture[3][i]};
