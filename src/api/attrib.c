@@ -26,7 +26,7 @@ struct group {
 
 static const struct group groups[] = {
         GROUP(GL_CURRENT_BIT, DIRTY_CURRENT | DIRTY_MATERIAL, current),
-        GROUP(GL_POINT_BIT, DIRTY_RASTER | DIRTY_POINT, point),
+        GROUP(GL_POINT_BIT, DIRTY_RASTER | DIRTY_POINT | DIRTY_TEXTURE, point),
         GROUP(GL_LINE_BIT, DIRTY_RASTER, line),
         GROUP(GL_POLYGON_BIT, DIRTY_RASTER, polygon),
         GROUP(GL_POLYGON_STIPPLE_BIT, DIRTY_RASTER, polygon_stipple),

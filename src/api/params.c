@@ -95,6 +95,7 @@ static const struct param texture_env_params[] = {
 #define TEXTURE_ENV(pname, count, kind, range, field)                                                        \
     {pname, PARAM_##kind, count, range, offsetof(struct texture_env, field)},
 #include "api/param_table.def"
+    {GL_COORD_REPLACE_ARB, PARAM_BOOL, 1, BETWEEN(0, 1), 0}, /* target GL_POINT_SPRITE_ARB: in struct point_state */
 };
 
 static const struct param *find(const struct param *rows, size_t n, GLenum pname)

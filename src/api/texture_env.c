@@ -71,9 +71,11 @@ static bool enum_allowed(GLenum pname, GLenum v)
     }
 }
 
-static struct texture_env *active_env(struct context *ctx)
+/* What of the active unit the parameter's field belongs to. */
+static void *active_env(struct context *ctx, GLenum pname)
 {
-    return &ctx->s.texture.unit[ctx->s.texture.active_texture].env;
+    const int unit = ctx->s.texture.active_texture;
+    return pname == GL_COORD_REPLACE_ARB ? (void *)&ctx->s.point.coord_replace[unit] : &ctx->s.texture.unit[unit].env;
 }
 
 void fgl_exec_TexEnvfv(struct context *ctx, GLenum target, GLenum pname, const GLfloat *params)
@@ -85,7 +87,7 @@ void fgl_exec_TexEnvfv(struct context *ctx, GLenum target, GLenum pname, const G
     const bool scale = pname == GL_RGB_SCALE || pname == GL_ALPHA_SCALE, boolean = p->kind == PARAM_BOOL;
     RETURN_ERROR_IF(ctx, scale && params[0] != 1.0f && params[0] != 2.0f && params[0] != 4.0f, GL_INVALID_VALUE);
     RETURN_ERROR_IF(ctx, boolean && params[0] != 0.0f && params[0] != 1.0f, GL_INVALID_VALUE);
-    fgl_param_set_clamped(ctx, DIRTY_TEXTURE, p, active_env(ctx), params);
+    fgl_param_set_clamped(ctx, DIRTY_TEXTURE, p, active_env(ctx, pname), params);
 }
 
 void GLAPIENTRY glTexEnviv(GLenum target, GLenum pname, const GLint *params)
@@ -110,7 +112,7 @@ static const struct param *get(struct context *ctx, GLenum target, GLenum pname,
 {
     const struct param *p = fgl_texture_env_param(pname);
     RETURN_VALUE_ERROR_IF(ctx, !p || !target_has(target, pname), GL_INVALID_ENUM, NULL);
-    fgl_param_get(p, active_env(ctx), v);
+    fgl_param_get(p, active_env(ctx, pname), v);
     return p;
 }
 

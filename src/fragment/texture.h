@@ -58,6 +58,7 @@ struct texture_stage {
     enum coordinate_source source;
     float constant[4]; /* s t r q */
     int lane;          /* of s; t r q follow */
+    bool across_sprite; /* GL_ARB_point_sprite: points have in these lanes where the fragment is in the point */
     struct sampler sampler;
     struct texture_environment environment;
 };

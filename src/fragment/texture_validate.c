@@ -269,6 +269,7 @@ int fgl_texture_stages(struct texture_stage stage[FGL_MAX_TEXTURE_UNITS], const 
         to->lane = lane;
         if (to->source == COORDINATES_PLANES)
             lane += 4;
+        to->across_sprite = s->point.point_sprite && s->point.coord_replace[unit];
         for (int c = 0; c < 4; c++)
             to->constant[c] = s->current.attr[ATTR_TEX0 + unit][c];
         derive_sampler(&to->sampler, object, u->env.lod_bias);

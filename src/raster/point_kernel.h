@@ -51,15 +51,31 @@ static void aliased_point(const struct raster_plan *plan, const real *v, float s
     }
 }
 
+/* GL_ARB_point_sprite: over a point of `width` pixels s goes from 0 at its left to 1, t from 0 at its top. r is 0, q is 1. */
+static void sprite_coordinates(struct planes *p, const real *v, int lane, real width)
+{
+    const real step = 1 / width, oow = v[LANE_OOW];
+    for (int c = 0; c < 2; c++) {
+        const real center = v[LANE_X + c] - (real)0.5;
+        plane_constant(p, lane + c, ((real)0.5 - step * center) * oow);
+        (c ? PLANES(p)->dady : PLANES(p)->dadx)[lane + c] = step * oow;
+    }
+    plane_constant(p, lane + 2, 0);
+    plane_constant(p, lane + 3, oow);
+}
+
 /* GL_ARB_point_sprite: the square itself, whose edges need not be whole pixels. */
 static void point_sprite(const struct raster_plan *plan, const real *v, float size)
 {
-    const int64_t x = nearest((v[LANE_X] - (real)0.5) * 256), y = nearest((v[LANE_Y] - (real)0.5) * 256);
-    const int64_t half = (int64_t)(round_even(256.0 * (double)fmaxf(1.0f, size))) / 2;
-    const struct polygon square = {{x + half, x - half, x - half, x + half}, {y - half, y - half, y + half, y + half}};
+    const int64_t width = nearest((real)fmaxf(1.0f, size) * 256), half = width / 2;
+    const int64_t x = nearest((v[LANE_X] - (real)0.5) * 256) - half, y = nearest((v[LANE_Y] - (real)0.5) * 256) - half;
+    const struct polygon square = {{x + width, x, x, x + width}, {y, y, y + width, y + width}};
     struct planes planes;
 
     point_planes(plan, &planes, v);
+    for (int i = 0; i < plan->fragment->textures; i++)
+        if (plan->fragment->texture[i].across_sprite)
+            sprite_coordinates(&planes, v, plan->fragment->texture[i].lane, R_EXACT ? (real)fmaxf(1.0f, size) : (real)width / 256);
     quad(plan, &square, &planes);
 }
 

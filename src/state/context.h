@@ -77,7 +77,7 @@ struct viewport_state {
 
 /* Table 6.11 "Rasterization". */
 struct point_state {
-    bool point_smooth, point_sprite;
+    bool point_smooth, point_sprite, coord_replace[FGL_MAX_TEXTURE_UNITS];
     float point_size, point_size_min, point_size_max, point_fade_threshold_size, point_distance_attenuation[3];
 };
 
@@ -208,7 +208,6 @@ struct texture_env {
     float color[4];
     GLenum combine_rgb, combine_alpha, source_rgb[3], source_alpha[3], operand_rgb[3], operand_alpha[3];
     float rgb_scale, alpha_scale, lod_bias;
-    bool coord_replace; /* GL_ARB_point_sprite */
 };
 
 struct texture_unit {

@@ -59,7 +59,7 @@ void fgl_texture_plan_validate(struct vertex_plan *plan, struct context *ctx, ui
         if (!is_wanted(ctx, unit))
             continue;
         to->unit = unit;
-        to->computed = derive(to, &plan->exact.texture[plan->textures], u, &stack->entry[stack->top]);
+        to->computed = derive(to, &plan->exact.texture[plan->textures], u, &stack->entry[stack->top]) || ctx->s.point.point_sprite;
         if (!to->computed && !(varying >> (ATTR_TEX0 + unit) & 1))
             continue; /* the same for the whole draw */
         plan->textures++;

@@ -150,6 +150,38 @@ static void parameters_convert(void **state)
     EXPECT_TEXTURE(GL_GENERATE_MIPMAP, 1);
 }
 
+static GLint coord_replace(void)
+{
+    GLint got = -1;
+    glGetTexEnviv(GL_POINT_SPRITE_ARB, GL_COORD_REPLACE_ARB, &got);
+    return got;
+}
+
+/* GL_ARB_point_sprite: GL_COORD_REPLACE_ARB, of each unit, is saved with the points, not with the textures. */
+static void coordinate_replacement_belongs_to_points(void **state)
+{
+    (void)state;
+    assert_int_equal(coord_replace(), 0);
+    glActiveTexture(GL_TEXTURE1);
+    glTexEnvi(GL_POINT_SPRITE_ARB, GL_COORD_REPLACE_ARB, GL_TRUE);
+    glActiveTexture(GL_TEXTURE0);
+    assert_int_equal(coord_replace(), 0);
+    glActiveTexture(GL_TEXTURE1);
+    glPushAttrib(GL_TEXTURE_BIT);
+    glTexEnvi(GL_POINT_SPRITE_ARB, GL_COORD_REPLACE_ARB, GL_FALSE);
+    glPopAttrib();
+    assert_int_equal(coord_replace(), 0);
+    glPushAttrib(GL_POINT_BIT);
+    glTexEnvf(GL_POINT_SPRITE_ARB, GL_COORD_REPLACE_ARB, 1);
+    glEnable(GL_POINT_SPRITE_ARB);
+    assert_int_equal(coord_replace(), 1);
+    glPopAttrib();
+    assert_int_equal(coord_replace(), 0);
+    assert_false(glIsEnabled(GL_POINT_SPRITE_ARB));
+    EXPECT_ERROR(GL_INVALID_ENUM, glTexEnvi(GL_POINT_SPRITE_ARB, GL_TEXTURE_ENV_MODE, GL_ADD));
+    EXPECT_ERROR(GL_INVALID_ENUM, glTexEnvi(GL_TEXTURE_ENV, GL_COORD_REPLACE_ARB, GL_TRUE));
+}
+
 static void environments_belong_to_units(void **state)
 {
     (void)state;
@@ -286,6 +318,7 @@ int main(void)
             GL_TEST(parameters_take_only_their_values),
             GL_TEST(parameters_convert),
             GL_TEST(environments_belong_to_units),
+            GL_TEST(coordinate_replacement_belongs_to_points),
             GL_TEST(environments_take_only_their_values),
             GL_TEST(eye_planes_are_transformed),
             GL_TEST(the_texture_group_is_pushed),
