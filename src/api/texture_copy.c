@@ -68,6 +68,23 @@ static void copy_colors(struct context *ctx, struct texture_image *image, int x,
                             is_ten_bits(image->format) ? ROUND_THROUGH_BYTES : ROUND_DRAWN);
 }
 
+/* Whether bytes of the framebuffer are texels as they stand: through floats and back, each is itself. */
+static bool copies_bytes(const struct context *ctx, const struct texture_image *image)
+{
+    return ctx->read_framebuffer->color_kind == COLOR_UNORM8 && fgl_texture_format_keeps_bytes(image->format) &&
+           !fgl_transfer_color_active(&ctx->s.pixel_mode);
+}
+
+static void copy_bytes(struct context *ctx, struct texture_image *image, int x, int y, int n, int to_x, int to_y, int to_z)
+{
+    const struct framebuffer *fb = ctx->read_framebuffer;
+    const uint32_t *pixels = (const uint32_t *)fb->color + (ptrdiff_t)y * fb->stride + x;
+    const uint32_t low = 1;
+    const int flip = *(const uint8_t *)&low ? 0 : 3; /* red is the low byte */
+    const int place[4] = {0 ^ flip, 1 ^ flip, 2 ^ flip, fb->has_alpha ? 3 ^ flip : -1};
+    fgl_texture_store_bytes(image, to_x, to_y, to_z, n, (const uint8_t *)pixels, sizeof *pixels, place);
+}
+
 /* What lies outside of the framebuffer is undefined: its texels stay as they are. */
 static void copy(struct context *ctx, struct texture_image *image, struct source_rect from, int to_x, int to_y, int to_z)
 {
@@ -76,11 +93,11 @@ static void copy(struct context *ctx, struct texture_image *image, struct source
     const int x0 = fgl_max(from.x, 0), x1 = right < fb->width ? (int)right : fb->width;
     const int y0 = fgl_max(from.y, 0), y1 = top < fb->height ? (int)top : fb->height;
     void (*const run)(struct context *, struct texture_image *, int, int, int, int, int, int) =
-            image->kind == TEXELS_DEPTH ? copy_depths : copy_colors;
+            image->kind == TEXELS_DEPTH ? copy_depths : copies_bytes(ctx, image) ? copy_bytes : copy_colors;
     for (int y = y0; y < y1; y++)
         for (int x = x0; x < x1; x += PIXEL_CHUNK)
             run(ctx, image, x, fb->height - 1 - y, fgl_min(PIXEL_CHUNK, x1 - x), to_x + x - from.x, to_y + y - from.y,
-                     to_z);
+                to_z);
 }
 
 /* ---- through the imaging stages ---- */
