@@ -34,8 +34,9 @@ CORE_SOURCES = $(filter-out $(KERNEL_SOURCES),$(wildcard $(addsuffix /*.c,$(addp
 ISAS := $(if $(filter x86_64 amd64,$(shell $(CC) -dumpmachine 2>/dev/null | cut -d- -f1)),sse2 avx2 avx512,base)
 FLAGS_base =
 FLAGS_sse2 =
-FLAGS_avx2 = -mavx2 -mfma
-FLAGS_avx512 = -mavx2 -mfma -mavx512f -mavx512vl -mavx512dq -mavx512bw -mprefer-vector-width=512
+# Tuned for processors whose gathers are fast: GCC makes none of them otherwise, and textures take half as long again.
+FLAGS_avx2 = -mavx2 -mfma -mtune=skylake
+FLAGS_avx512 = -mavx2 -mfma -mavx512f -mavx512vl -mavx512dq -mavx512bw -mprefer-vector-width=512 -mtune=icelake-server
 
 ARITHS = compatible exact
 DEFINE_compatible = -DFGL_ARITH_COMPATIBLE

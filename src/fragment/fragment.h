@@ -151,6 +151,7 @@ struct fragment_plan {
     struct stencil_state stencil;
     GLenum depth_func;
     int textures; /* stages: units that draw a texture */
+    bool texture_products; /* fgl_texture_products of them, and not general */
     struct texture_stage texture[FGL_MAX_TEXTURE_UNITS];
     atomic_ullong *samples_passed; /* occlusion query: counts fragments that pass all tests; NULL: none runs. Set by the
                                       caller of fgl_fragment_validate */
@@ -161,7 +162,7 @@ struct fragment_plan {
 };
 
 /* Fills *plan from state, but arith, color_source, constant_color, the secondary colour's, keeps_color and texture_varying: these depend on the
- * vertex stage, and the caller has set them before. general: no fused kernel (FIXEDGL_PATH=general). */
+ * vertex stage, and the caller has set them before. general: nothing specialised (FIXEDGL_PATH=general). */
 void fgl_fragment_validate(struct fragment_plan *plan, const struct server_state *s, struct framebuffer *fb,
                            bool general);
 

@@ -43,6 +43,8 @@ struct combine {
 struct texture_environment {
     struct combine rgb, alpha;
     bool clamped; /* GL 1.5, 3.8.13: where the result may leave [0,1] */
+    bool product; /* all that the functions of RGB [0] and alpha [1] do: the texel, times what was before, or one of them */
+    bool by_texel[2], by_previous[2];
     float color[4];
     GLenum mode; /* as given, for explain */
 };
@@ -78,6 +80,9 @@ struct server_state;
  * coordinates are interpolated, in lanes counted from 0; the others' are constant. */
 int fgl_texture_stages(struct texture_stage stage[FGL_MAX_TEXTURE_UNITS], const struct server_state *s,
                        uint32_t varying);
+
+/* Whether all stages are products of texels that are filtered in fixed point. */
+bool fgl_texture_products(const struct texture_stage *stage, int n);
 
 /* Whether the colour that comes out of the stages depends on the one that went in. */
 bool fgl_texture_reads_primary(const struct texture_stage *stage, int n);

@@ -137,7 +137,37 @@ static inline void apply_environment(const struct combine_inputs *in, const stru
     memcpy(f->color, to, sizeof to);
 }
 
-static FGL_NOINLINE void apply_textures(struct fragments *f, const struct fragment_plan *plan, const struct planes *p)
+/* ---- products: see struct texture_environment ---- */
+
+static FGL_ALWAYS_INLINE void multiply_channel(const uint32_t *texel, int c, bool by_texel, bool keep, real *FGL_RESTRICT color)
+{
+    if (by_texel && keep)
+        FOR_GROUP(i) color[i] *= from_unorm8(texel[i] >> (8 * c) & 255);
+    else if (by_texel)
+        FOR_GROUP(i) color[i] = from_unorm8(texel[i] >> (8 * c) & 255);
+}
+
+static inline void multiply_texels(const uint32_t *texel, const struct texture_environment *e, real color[4][FRAGMENT_GROUP])
+{
+    multiply_channel(texel, 0, e->by_texel[0], e->by_previous[0], color[0]);
+    multiply_channel(texel, 1, e->by_texel[0], e->by_previous[0], color[1]);
+    multiply_channel(texel, 2, e->by_texel[0], e->by_previous[0], color[2]);
+    multiply_channel(texel, 3, e->by_texel[1], e->by_previous[1], color[3]);
+}
+
+static FGL_NOINLINE void apply_product(struct fragments *f, const struct planes *p, const struct texture_stage *s)
+{
+    uint32_t texel[FRAGMENT_GROUP];
+    struct texture_coords at;
+    struct level_choice choice;
+    find_texels(f, p, s, &at, &choice);
+    sample_packed(&s->sampler, &at, &choice, texel);
+    multiply_texels(texel, &s->environment, f->color);
+}
+
+/* ---- all stages ---- */
+
+static FGL_NOINLINE void apply_combiners(struct fragments *f, const struct fragment_plan *plan, const struct planes *p)
 {
     struct combine_inputs in;
     memcpy(in.primary, f->color, sizeof in.primary);
@@ -149,6 +179,16 @@ static FGL_NOINLINE void apply_textures(struct fragments *f, const struct fragme
     }
     for (int stage = 0; stage < plan->textures; stage++)
         apply_environment(&in, &plan->texture[stage], stage, f);
+}
+
+static inline void apply_textures(struct fragments *f, const struct fragment_plan *plan, const struct planes *p)
+{
+    if (R_EXACT || !plan->texture_products) {
+        apply_combiners(f, plan, p);
+        return;
+    }
+    for (int stage = 0; stage < plan->textures; stage++)
+        apply_product(f, p, &plan->texture[stage]);
 }
 
 #endif

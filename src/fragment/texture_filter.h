@@ -15,16 +15,17 @@ struct texture_coords {
 
 /* ---- fixed point ---- */
 
-/* a + weight (b - a) / 256, rounded, for four channels. */
+/* a + weight (b - a) / 256, rounded, for four channels; weight: 0 to 256. */
 static FGL_ALWAYS_INLINE uint32_t lerp_packed(uint32_t weight, uint32_t a, uint32_t b)
 {
-    const uint32_t even = 0x00ff00ff, half = 0x00800080, rest = 256 - weight;
-    const uint32_t low = (a & even) * rest + (b & even) * weight + half;
-    const uint32_t high = (a >> 8 & even) * rest + (b >> 8 & even) * weight + half;
+    const uint32_t even = 0x00ff00ff, half = 0x00800080;
+    const uint32_t a0 = a & even, a1 = a >> 8 & even, b0 = b & even, b1 = b >> 8 & even;
+    const uint32_t low = (a0 << 8) + (b0 - a0) * weight + half; /* what one channel borrows the next gives back */
+    const uint32_t high = (a1 << 8) + (b1 - a1) * weight + half;
     return (low >> 8 & even) | (high & ~even);
 }
 
-/* Texel (x, y) of every fragment. cube: each has its own face. */
+/* Texel (x, y, z) of every fragment. cube: each has its own face. */
 static FGL_ALWAYS_INLINE void fetch_packed(const struct texture_level *level, const struct texture_coords *at,
                                            const int32_t *x, const int32_t *y, const int32_t *z, const int dimensions,
                                            const bool cube, uint32_t *FGL_RESTRICT texel)
@@ -41,51 +42,95 @@ static FGL_ALWAYS_INLINE void fetch_packed(const struct texture_level *level, co
         FOR_GROUP(i) texel[i] = texels[index[i]];
 }
 
-static FGL_ALWAYS_INLINE void lerp_group(const int32_t *weight, const uint32_t *a, const uint32_t *b, uint32_t *to)
+static FGL_ALWAYS_INLINE void nearest_packed(const struct texture_level *level, const struct texture_coords *at,
+                                             const GLenum wrap[3], const int dimensions, const bool cube,
+                                             uint32_t *FGL_RESTRICT texel)
+{
+    int32_t x[FRAGMENT_GROUP], y[FRAGMENT_GROUP], z[FRAGMENT_GROUP];
+    wrap_nearest(at->s[0], level->size[0], wrap[0], x);
+    if (dimensions > 1)
+        wrap_nearest(at->s[1], level->size[1], wrap[1], y);
+    if (dimensions > 2)
+        wrap_nearest(at->s[2], level->size[2], wrap[2], z);
+    fetch_packed(level, at, x, y, z, dimensions, cube, texel);
+}
+
+static FGL_ALWAYS_INLINE void lerp_group(const int32_t *weight, const uint32_t *a, const uint32_t *b, uint32_t *FGL_RESTRICT to)
 {
     FOR_GROUP(i) to[i] = lerp_packed((uint32_t)weight[i], a[i], b[i]);
 }
 
-static FGL_ALWAYS_INLINE void filter_packed(const struct texture_level *level, const struct texture_coords *at,
-                                            const int dimensions, const bool cube, const enum texture_filter filter,
-                                            const GLenum wrap[3], uint32_t *FGL_RESTRICT texel)
+/* Two neighbours along x, mixed; then of those two along y; then along z. Written without loops over the neighbours: compilers unroll
+ * loops inside of another loop before they can make vectors of them. */
+static FGL_ALWAYS_INLINE void linear_row(const struct texture_level *level, const struct texture_coords *at,
+                                         const struct texel_pair axis[3], const int32_t *y, const int32_t *z,
+                                         const int dimensions, const bool cube, uint32_t *FGL_RESTRICT texel)
+{
+    uint32_t left[FRAGMENT_GROUP], right[FRAGMENT_GROUP];
+    fetch_packed(level, at, axis[0].i0, y, z, dimensions, cube, left);
+    fetch_packed(level, at, axis[0].i1, y, z, dimensions, cube, right);
+    lerp_group(axis[0].weight, left, right, texel);
+}
+
+static FGL_ALWAYS_INLINE void linear_slice(const struct texture_level *level, const struct texture_coords *at,
+                                           const struct texel_pair axis[3], const int32_t *z, const int dimensions,
+                                           const bool cube, uint32_t *FGL_RESTRICT texel)
+{
+    uint32_t upper[FRAGMENT_GROUP], lower[FRAGMENT_GROUP];
+    linear_row(level, at, axis, axis[1].i0, z, dimensions, cube, upper);
+    linear_row(level, at, axis, axis[1].i1, z, dimensions, cube, lower);
+    lerp_group(axis[1].weight, upper, lower, texel);
+}
+
+static FGL_ALWAYS_INLINE void linear_packed(const struct texture_level *level, const struct texture_coords *at,
+                                            const GLenum wrap[3], const int dimensions, const bool cube,
+                                            uint32_t *FGL_RESTRICT texel)
 {
     struct texel_pair axis[3];
-    const int y_axis = dimensions > 1 ? 1 : 0, z_axis = dimensions > 2 ? 2 : 0; /* 0: not used */
-    if (filter == FILTER_NEAREST) {
-        for (int k = 0; k < dimensions; k++)
-            wrap_nearest(at->s[k], level->size[k], wrap[k], axis[k].i0);
-        fetch_packed(level, at, axis[0].i0, axis[y_axis].i0, axis[z_axis].i0, dimensions, cube, texel);
+    uint32_t front[FRAGMENT_GROUP], back[FRAGMENT_GROUP];
+    wrap_linear_fixed(at->s[0], level->size[0], wrap[0], &axis[0]);
+    if (dimensions == 1) {
+        linear_row(level, at, axis, NULL, NULL, 1, false, texel);
         return;
     }
-    uint32_t slice[2][FRAGMENT_GROUP];
-    for (int k = 0; k < dimensions; k++)
-        wrap_linear_fixed(at->s[k], level->size[k], wrap[k], &axis[k]);
-    for (int z = 0; z < (dimensions > 2 ? 2 : 1); z++) {
-        uint32_t row[2][FRAGMENT_GROUP];
-        const int32_t *slice_index = z ? axis[z_axis].i1 : axis[z_axis].i0;
-        for (int y = 0; y < (dimensions > 1 ? 2 : 1); y++) {
-            uint32_t left[FRAGMENT_GROUP], right[FRAGMENT_GROUP];
-            const int32_t *row_index = y ? axis[y_axis].i1 : axis[y_axis].i0;
-            fetch_packed(level, at, axis[0].i0, row_index, slice_index, dimensions, cube, left);
-            fetch_packed(level, at, axis[0].i1, row_index, slice_index, dimensions, cube, right);
-            lerp_group(axis[0].weight, left, right, row[y]);
-        }
-        if (dimensions > 1)
-            lerp_group(axis[1].weight, row[0], row[1], slice[z]);
-        else
-            memcpy(slice[z], row[0], sizeof row[0]);
+    wrap_linear_fixed(at->s[1], level->size[1], wrap[1], &axis[1]);
+    if (dimensions == 2) {
+        linear_slice(level, at, axis, NULL, 2, cube, texel);
+        return;
     }
-    if (dimensions > 2)
-        lerp_group(axis[2].weight, slice[0], slice[1], texel);
-    else
-        memcpy(texel, slice[0], sizeof slice[0]);
+    wrap_linear_fixed(at->s[2], level->size[2], wrap[2], &axis[2]);
+    linear_slice(level, at, axis, axis[2].i0, 3, false, front);
+    linear_slice(level, at, axis, axis[2].i1, 3, false, back);
+    lerp_group(axis[2].weight, front, back, texel);
 }
+
+/* An instance for each target and filter. */
+#define PACKED(filter, name, dimensions, cube)                                                                         \
+    static FGL_NOINLINE void filter##_##name(const struct texture_level *level, const struct texture_coords *at,       \
+                                             const GLenum wrap[3], uint32_t *FGL_RESTRICT texel)                       \
+    {                                                                                                                  \
+        filter##_packed(level, at, wrap, dimensions, cube, texel);                                                     \
+    }
+PACKED(nearest, 1d, 1, false)
+PACKED(nearest, 2d, 2, false)
+PACKED(nearest, 3d, 3, false)
+PACKED(nearest, cube, 2, true)
+PACKED(linear, 1d, 1, false)
+PACKED(linear, 2d, 2, false)
+PACKED(linear, 3d, 3, false)
+PACKED(linear, cube, 2, true)
+#undef PACKED
+
+typedef void filter_packed_fn(const struct texture_level *level, const struct texture_coords *at, const GLenum wrap[3],
+                              uint32_t *FGL_RESTRICT texel);
+static filter_packed_fn *const filter_packed[TEXTURE_TARGETS][2] = {
+        {nearest_1d, linear_1d}, {nearest_2d, linear_2d}, {nearest_3d, linear_3d}, {nearest_cube, linear_cube}};
 
 /* OSMesa rule: a product with 1/255, where the specification divides. */
 static FGL_ALWAYS_INLINE real from_unorm8(uint32_t v)
 {
-    return R_EXACT ? (real)v / 255 : (real)v * (real)(1.0f / 255.0f);
+    const real whole = (real)(int32_t)v;
+    return R_EXACT ? whole / 255 : whole * (real)(1.0f / 255.0f);
 }
 
 static FGL_ALWAYS_INLINE void unpack_texels(const uint32_t *texel, real to[4][FRAGMENT_GROUP])

@@ -7,13 +7,23 @@
 
 #include "fragment/texture_filter.h"
 
-/* For each fragment: mag is used, or min on `level` and, where f is not 0, on the next. */
+/* For each fragment: mag is used on level 0, or min on `level` and, where f is not 0, on the next. */
 struct level_choice {
     int32_t magnify[FRAGMENT_GROUP], level[FRAGMENT_GROUP];
+    int32_t mag[FRAGMENT_GROUP]; /* magnify, if mag differs from min */
     real f[FRAGMENT_GROUP];
+    uint32_t used; /* bit: a level on which a live fragment uses min; USED_MAG: one uses mag */
 };
+#define USED_MAG 0x80000000u
 
-/* s t r q at the pixels of a row; s t r are divided by q. OSMesa rule: multiplied by 1/q, also where q was never given. */
+/* One of s t r at the pixels of a row. */
+static FGL_ALWAYS_INLINE void coordinate_at(const struct planes *p, int lane, const real *fx, real fy, const real *w,
+                                            const real *over_q, real *FGL_RESTRICT to)
+{
+    FOR_GROUP(i) to[i] = plane_at(p, lane, fx[i], fy) * w[i] * over_q[i];
+}
+
+/* s t r at the pixels of a row, divided by q. OSMesa rule: multiplied by 1/q, also where q was never given. */
 static FGL_ALWAYS_INLINE void coordinates_at(const struct texture_stage *stage, const struct planes *p, const real *fx,
                                              real fy, const real *w, const int count, real to[3][FRAGMENT_GROUP])
 {
@@ -26,27 +36,48 @@ static FGL_ALWAYS_INLINE void coordinates_at(const struct texture_stage *stage, 
         return;
     }
     FOR_GROUP(i) over_q[i] = 1 / (plane_at(p, lane + 3, fx[i], fy) * w[i]);
-    for (int c = 0; c < count; c++)
-        FOR_GROUP(i) to[c][i] = plane_at(p, lane + c, fx[i], fy) * w[i] * over_q[i];
+    coordinate_at(p, lane, fx, fy, w, over_q, to[0]);
+    if (count > 1)
+        coordinate_at(p, lane + 1, fx, fy, w, over_q, to[1]);
+    if (count > 2)
+        coordinate_at(p, lane + 2, fx, fy, w, over_q, to[2]);
 }
 
-/* The greater of the squared lengths of the derivatives by x and y, in texels of the base level. upper and lower: coordinates of the
- * quads' rows. One coordinate: not squared. */
+enum { QUADS = FRAGMENT_GROUP / 2 }; /* squares of 2 x 2 pixels of which a group is a row */
+#define FOR_QUADS(k) for (int k = 0; k < QUADS; k++)
+
+/* A coordinate's differences by x and y in each quad, in texels of the base level. upper and lower: its values in the quads' rows. */
+static FGL_ALWAYS_INLINE void differences(const real *upper, const real *lower, real n, real dx[QUADS], real dy[QUADS])
+{
+    FOR_QUADS(k) dx[k] = (upper[2 * k + 1] - upper[2 * k]) * n;
+    FOR_QUADS(k) dy[k] = (lower[2 * k] - upper[2 * k]) * n;
+}
+
+static FGL_ALWAYS_INLINE void add_squares(const real *upper, const real *lower, real n, real x2[QUADS], real y2[QUADS])
+{
+    real dx[QUADS], dy[QUADS];
+    differences(upper, lower, n, dx, dy);
+    FOR_QUADS(k) x2[k] += dx[k] * dx[k];
+    FOR_QUADS(k) y2[k] += dy[k] * dy[k];
+}
+
+/* The greater of the squared lengths of the derivatives by x and y. One coordinate: not squared. */
 static FGL_ALWAYS_INLINE void scale_factors(const struct sampler *sampler, const int count, real upper[3][FRAGMENT_GROUP],
                                             real lower[3][FRAGMENT_GROUP], real rho[FRAGMENT_GROUP])
 {
-    for (int k = 0; k < FRAGMENT_GROUP; k += 2) {
-        real x2 = 0, y2 = 0, x1 = 0, y1 = 0;
-        for (int c = 0; c < count; c++) {
-            const real n = (real)sampler->level[0].size[c];
-            const real dx = (upper[c][k + 1] - upper[c][k]) * n, dy = (lower[c][k] - upper[c][k]) * n;
-            x1 = r_abs(dx);
-            y1 = r_abs(dy);
-            x2 = c ? x2 + dx * dx : dx * dx;
-            y2 = c ? y2 + dy * dy : dy * dy;
-        }
-        rho[k] = rho[k + 1] = count == 1 ? r_max(x1, y1) : r_max(x2, y2);
+    const int *n = sampler->level[0].size;
+    real x[QUADS] = {0}, y[QUADS] = {0};
+    if (count == 1) {
+        differences(upper[0], lower[0], (real)n[0], x, y);
+        FOR_QUADS(k) x[k] = r_abs(x[k]);
+        FOR_QUADS(k) y[k] = r_abs(y[k]);
+    } else {
+        add_squares(upper[0], lower[0], (real)n[0], x, y);
+        add_squares(upper[1], lower[1], (real)n[1], x, y);
+        if (count > 2)
+            add_squares(upper[2], lower[2], (real)n[2], x, y);
     }
+    FOR_QUADS(k) rho[2 * k] = rho[2 * k + 1] = r_max(x[k], y[k]);
 }
 
 /* The major axis of a direction: that of its greatest component. OSMesa rule: where components are equal z goes before y, y before x. */
@@ -140,10 +171,28 @@ static FGL_ALWAYS_INLINE void levels_wanted(const struct sampler *sampler, const
     }
 }
 
+/* Levels that are there. */
+static FGL_ALWAYS_INLINE void levels_kept(const struct sampler *sampler, const int32_t *live, struct level_choice *FGL_RESTRICT to)
+{
+    const int32_t last = sampler->last_level, differ = -(int32_t)(sampler->min != sampler->mag);
+    uint32_t used = 0;
+    FOR_GROUP(i) {
+        const int32_t level = to->level[i];
+        to->f[i] = r_select((level >= 0) & (level < last) & !to->magnify[i], to->f[i], 0);
+        to->level[i] = fgl_clamp(level, 0, last) & ~to->magnify[i];
+        to->mag[i] = to->magnify[i] & differ;
+    }
+    FOR_GROUP(i) {
+        const uint32_t min = (to->f[i] > 0 ? 3u : 1u) << to->level[i];
+        used |= (to->mag[i] ? USED_MAG : min) & (uint32_t)live[i];
+    }
+    to->used = used;
+}
+
 /* at: the coordinates of this row. */
-static FGL_ALWAYS_INLINE void choose_levels(const struct fragments *fragments, const struct planes *p,
-                                            const struct texture_stage *stage, const int count, real at[3][FRAGMENT_GROUP],
-                                            struct level_choice *to)
+static FGL_NOINLINE void choose_levels(const struct fragments *fragments, const struct planes *p,
+                                       const struct texture_stage *stage, const int count, real at[3][FRAGMENT_GROUP],
+                                       struct level_choice *to)
 {
     const struct sampler *sampler = &stage->sampler;
     real other[3][FRAGMENT_GROUP], w[FRAGMENT_GROUP], rho[FRAGMENT_GROUP];
@@ -156,9 +205,7 @@ static FGL_ALWAYS_INLINE void choose_levels(const struct fragments *fragments, c
     else
         scale_factors(sampler, count, odd ? other : at, odd ? at : other, rho);
     levels_wanted(sampler, count, rho, to);
-    const int32_t last = sampler->mip == MIP_NONE ? 0 : sampler->last_level;
-    FOR_GROUP(i) to->f[i] = ((to->level[i] < 0) | (to->level[i] >= last)) ? 0 : to->f[i];
-    FOR_GROUP(i) to->level[i] = fgl_clamp(to->level[i], 0, last);
+    levels_kept(sampler, fragments->live, to);
 }
 
 #endif

@@ -20,72 +20,42 @@ static inline void choose_faces(struct texture_coords *at)
     }
 }
 
-/* The levels that live fragments use: from *first to *last. False: none. */
-static FGL_ALWAYS_INLINE bool level_range(const struct level_choice *choice, const int32_t *live, int *first, int *last)
-{
-    int lo = FGL_MAX_TEXTURE_LEVELS, hi = -1;
-    FOR_GROUP(i) {
-        const int32_t used = live[i] & ~choice->magnify[i], level = choice->level[i], next = level + (choice->f[i] > 0);
-        lo = fgl_min(lo, used ? level : lo);
-        hi = fgl_max(hi, used ? next : hi);
-    }
-    *first = lo;
-    *last = hi;
-    return lo <= hi;
-}
-
-static FGL_ALWAYS_INLINE bool any_magnified(const struct level_choice *choice, const int32_t *live)
-{
-    int32_t any = 0;
-    FOR_GROUP(i) any |= live[i] & choice->magnify[i];
-    return any != 0;
-}
-
 /* Fixed point: OSMesa rule: levels are mixed in steps of 1/256, rounded down. */
-static FGL_ALWAYS_INLINE void sample_packed(const struct sampler *sampler, const struct texture_coords *at,
-                                            const struct level_choice *choice, const int32_t *live, const int dimensions,
-                                            const bool cube, const GLenum wrap[3], uint32_t texel[FRAGMENT_GROUP])
+static FGL_NOINLINE void mix_level(const struct level_choice *choice, int level, const uint32_t *next, uint32_t *FGL_RESTRICT texel)
 {
-    if (!sampler->needs_lod) {
-        filter_packed(&sampler->level[0], at, dimensions, cube, sampler->mag, wrap, texel);
-        return;
-    }
-    int first, last;
-    FOR_GROUP(i) texel[i] = 0;
-    if (any_magnified(choice, live))
-        filter_packed(&sampler->level[0], at, dimensions, cube, sampler->mag, wrap, texel);
-    if (!level_range(choice, live, &first, &last))
-        return;
-    for (int level = first; level <= last; level++) {
-        uint32_t next[FRAGMENT_GROUP];
-        filter_packed(&sampler->level[level], at, dimensions, cube, sampler->min, wrap, next);
-        FOR_GROUP(i) {
-            const int32_t min = !choice->magnify[i], here = min & (choice->level[i] == level),
-                          above = min & (choice->level[i] + 1 == level);
-            const uint32_t weight = above ? (uint32_t)(int32_t)(choice->f[i] * 256) : 0;
-            const uint32_t mixed = lerp_packed(weight, texel[i], next[i]); /* weight 0: texel */
-            texel[i] = here ? next[i] : mixed;
-        }
+    FOR_GROUP(i) {
+        const int32_t min = ~choice->mag[i], here = min & -(choice->level[i] == level),
+                      above = min & -(choice->level[i] + 1 == level);
+        const uint32_t weight = (uint32_t)((int32_t)(choice->f[i] * 256) & above);
+        const uint32_t mixed = lerp_packed(weight, texel[i], next[i]); /* weight 0: texel */
+        texel[i] = here ? next[i] : mixed;
     }
 }
 
-/* An instance for each target: dimensions of an image, cube map. */
-#define SAMPLE(name, dimensions, cube)                                                                       \
-    static FGL_NOINLINE void name(const struct sampler *sampler, const struct texture_coords *at,            \
-                                  const struct level_choice *choice, const int32_t *live,                    \
-                                  uint32_t texel[FRAGMENT_GROUP])                                            \
-    {                                                                                                        \
-        sample_packed(sampler, at, choice, live, dimensions, cube, sampler->wrap, texel);                    \
+/* What is filtered first is taken for all fragments: those that read another level are given it later, and the one above it last. */
+static inline void sample_packed(const struct sampler *sampler, const struct texture_coords *at,
+                                 const struct level_choice *choice, uint32_t texel[FRAGMENT_GROUP])
+{
+    filter_packed_fn *const *const filter = filter_packed[sampler->target];
+    bool first = true;
+    if (!sampler->needs_lod || choice->used & USED_MAG) {
+        filter[sampler->mag](&sampler->level[0], at, sampler->wrap, texel);
+        first = false;
     }
-SAMPLE(sample_1d, 1, false)
-SAMPLE(sample_2d, 2, false)
-SAMPLE(sample_3d, 3, false)
-SAMPLE(sample_cube, 2, true)
-#undef SAMPLE
-
-typedef void sample_fn(const struct sampler *sampler, const struct texture_coords *at, const struct level_choice *choice,
-                       const int32_t *live, uint32_t texel[FRAGMENT_GROUP]);
-static sample_fn *const sample_target[TEXTURE_TARGETS] = {sample_1d, sample_2d, sample_3d, sample_cube};
+    if (!sampler->needs_lod)
+        return;
+    for (int level = 0; level <= sampler->last_level; level++) {
+        uint32_t next[FRAGMENT_GROUP];
+        if (!(choice->used >> level & 1))
+            continue;
+        filter[sampler->min](&sampler->level[level], at, sampler->wrap, first ? texel : next);
+        if (!first)
+            mix_level(choice, level, next, texel);
+        first = false;
+    }
+    if (first) /* no live fragment */
+        FOR_GROUP(i) texel[i] = 0;
+}
 
 /* OSMesa rule: where one fragment of a block of 4 x 2 needs the linear filter, all are filtered linearly, those that need the nearest texel
  * with weights rounded to 0 and 1. Marks these. */
@@ -104,27 +74,26 @@ static inline bool round_weights(const struct sampler *sampler, const struct lev
 }
 
 static inline void sample_real(const struct sampler *sampler, const struct texture_coords *at, const struct level_choice *choice,
-                               const int32_t *live, real texel[4][FRAGMENT_GROUP])
+                               real texel[4][FRAGMENT_GROUP])
 {
     int32_t rounded[FRAGMENT_GROUP];
-    int first, last;
     if (!sampler->needs_lod) {
         filter_real(sampler, &sampler->level[0], at, sampler->mag, NULL, texel);
         return;
     }
     const bool mixed = !R_EXACT && sampler->min != sampler->mag && round_weights(sampler, choice, rounded);
     memset(texel, 0, 4 * sizeof texel[0]);
-    if (any_magnified(choice, live))
+    if (choice->used & USED_MAG)
         filter_real(sampler, &sampler->level[0], at, sampler->mag, mixed ? rounded : NULL, texel);
-    if (!level_range(choice, live, &first, &last))
-        return;
-    for (int level = first; level <= last; level++) {
+    for (int level = 0; level <= sampler->last_level; level++) {
         real next[4][FRAGMENT_GROUP];
+        if (!(choice->used >> level & 1))
+            continue;
         filter_real(sampler, &sampler->level[level], at, sampler->min, mixed ? rounded : NULL, next);
         for (int c = 0; c < 4; c++)
             FOR_GROUP(i) {
-                const bool here = !choice->magnify[i] && choice->level[i] == level;
-                const bool above = !choice->magnify[i] && choice->level[i] + 1 == level && choice->f[i] > 0;
+                const bool here = !choice->mag[i] && choice->level[i] == level;
+                const bool above = !choice->mag[i] && choice->level[i] + 1 == level && choice->f[i] > 0;
                 texel[c][i] = here    ? next[c][i]
                               : above ? lerp_real(choice->f[i], texel[c][i], next[c][i])
                                       : texel[c][i];
@@ -144,28 +113,36 @@ static inline void apply_depth_mode(GLenum mode, real texel[4][FRAGMENT_GROUP])
             FOR_GROUP(i) texel[c][i] = 0;
 }
 
+/* Where and on which levels the texture of a unit is read. */
+static inline void find_texels(const struct fragments *fragments, const struct planes *p, const struct texture_stage *stage,
+                               struct texture_coords *at, struct level_choice *choice)
+{
+    const struct sampler *sampler = &stage->sampler;
+    const bool cube = sampler->target == TEXTURE_CUBE_MAP;
+    const int count = cube ? 3 : sampler->dimensions;
+    coordinates_at(stage, p, fragments->fx, fragments->fy, fragments->w, sampler->compare_func ? 3 : count, at->s);
+    if (sampler->compare_func)
+        FOR_GROUP(i) at->compare[i] = r_min(r_max(at->s[2][i], 0), 1);
+    if (sampler->needs_lod)
+        choose_levels(fragments, p, stage, count, at->s, choice);
+    if (cube)
+        choose_faces(at);
+}
+
 /* The texels of a unit for every live fragment. */
 static inline void sample_texture(const struct fragments *fragments, const struct planes *p, const struct texture_stage *stage,
                                   real texel[4][FRAGMENT_GROUP])
 {
     const struct sampler *sampler = &stage->sampler;
-    const bool cube = sampler->target == TEXTURE_CUBE_MAP;
-    const int count = cube ? 3 : sampler->dimensions;
     struct texture_coords at;
     struct level_choice choice;
-    coordinates_at(stage, p, fragments->fx, fragments->fy, fragments->w, sampler->compare_func ? 3 : count, at.s);
-    if (sampler->compare_func)
-        FOR_GROUP(i) at.compare[i] = r_min(r_max(at.s[2][i], 0), 1);
-    if (sampler->needs_lod)
-        choose_levels(fragments, p, stage, count, at.s, &choice);
-    if (cube)
-        choose_faces(&at);
+    find_texels(fragments, p, stage, &at, &choice);
     if (sampler->fixed_point && !R_EXACT) {
         uint32_t packed[FRAGMENT_GROUP];
-        sample_target[sampler->target](sampler, &at, &choice, fragments->live, packed);
+        sample_packed(sampler, &at, &choice, packed);
         unpack_texels(packed, texel);
     } else {
-        sample_real(sampler, &at, &choice, fragments->live, texel);
+        sample_real(sampler, &at, &choice, texel);
     }
     if (sampler->kind == TEXELS_DEPTH)
         apply_depth_mode(sampler->depth_mode, texel);

@@ -211,6 +211,24 @@ static bool leaves_range(const struct combine *combine)
     return combine->scale != 1.0f || !(f == GL_REPLACE || f == GL_MODULATE || f == GL_INTERPOLATE);
 }
 
+/* Whether an argument is the texel, or what was before, as it is; where says for which component: 0 RGB, 1 alpha. */
+static bool is_plain(const struct combine *combine, int k, int where, GLenum source)
+{
+    const GLenum operand = combine->operand[k];
+    return combine->source[k] == source && operand == (where ? GL_SRC_ALPHA : GL_SRC_COLOR);
+}
+
+static bool derive_product(const struct combine *combine, int where, bool *by_texel, bool *by_previous)
+{
+    const bool texel0 = is_plain(combine, 0, where, GL_TEXTURE), previous0 = is_plain(combine, 0, where, GL_PREVIOUS);
+    const bool texel1 = is_plain(combine, 1, where, GL_TEXTURE), previous1 = is_plain(combine, 1, where, GL_PREVIOUS);
+    const bool both = combine->function == GL_MODULATE && ((texel0 && previous1) || (previous0 && texel1));
+    const bool one = combine->function == GL_REPLACE && (texel0 || previous0);
+    *by_texel = both || texel0;
+    *by_previous = both || previous0;
+    return both || one;
+}
+
 /* leaves_unit: whether texels do. */
 static void derive_environment(struct texture_environment *to, const struct texture_env *e, GLenum base, bool leaves_unit)
 {
@@ -220,6 +238,9 @@ static void derive_environment(struct texture_environment *to, const struct text
         derive_simple(to, e->mode, base);
     to->mode = e->mode;
     to->clamped = leaves_unit || leaves_range(&to->rgb) || leaves_range(&to->alpha);
+    const bool rgb = derive_product(&to->rgb, 0, &to->by_texel[0], &to->by_previous[0]);
+    const bool alpha = derive_product(&to->alpha, 1, &to->by_texel[1], &to->by_previous[1]);
+    to->product = rgb && alpha && !to->clamped;
     for (int i = 0; i < 4; i++)
         to->color[i] = fgl_clamp01(e->color[i]);
 }
@@ -253,6 +274,14 @@ bool fgl_texture_reads_primary(const struct texture_stage *stage, int n)
         needed[1] = previous[1];
     }
     return needed[0] || needed[1] || primary[0] || primary[1];
+}
+
+bool fgl_texture_products(const struct texture_stage *stage, int n)
+{
+    for (int i = 0; i < n; i++)
+        if (!stage[i].environment.product || !stage[i].sampler.fixed_point)
+            return false;
+    return true;
 }
 
 int fgl_texture_stages(struct texture_stage stage[FGL_MAX_TEXTURE_UNITS], const struct server_state *s, uint32_t varying)

@@ -60,9 +60,10 @@ static void validate_index(struct fragment_plan *plan, const struct color_buffer
 }
 
 /* OSMesa rule: a colour that textures replace is as if it were constant, which decides how quads are split. */
-static void validate_textures(struct fragment_plan *plan, const struct server_state *s)
+static void validate_textures(struct fragment_plan *plan, const struct server_state *s, bool general)
 {
     plan->textures = fgl_texture_stages(plan->texture, s, plan->texture_varying);
+    plan->texture_products = !general && fgl_texture_products(plan->texture, plan->textures);
     if (!plan->keeps_color && !plan->has_secondary && !fgl_texture_reads_primary(plan->texture, plan->textures))
         plan->color_source = COLOR_CONSTANT;
     plan->lanes = lanes_of(plan);
@@ -98,7 +99,7 @@ void fgl_fragment_validate(struct fragment_plan *plan, const struct server_state
         validate_index(plan, color);
         return;
     }
-    validate_textures(plan, s);
+    validate_textures(plan, s, general);
 
     fragment_fill_fn *fused = general ? NULL : fused_kernel(plan);
     plan->general = fgl_fragment_kernels(plan->arith)->general;

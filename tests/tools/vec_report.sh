@@ -9,7 +9,7 @@ common='-std=c11 -O3 -ffp-contract=off -fno-math-errno -fno-trapping-math -Iincl
 
 report() { # report COMPILER FILE: "path:line" of each loop that was missed
     case "$("$1" -dumpmachine)" in
-    x86_64*) isa='-DFGL_ISA=avx2 -mavx2 -mfma' ;;
+    x86_64*) isa='-DFGL_ISA=avx2 -mavx2 -mfma -mtune=skylake' ;;
     *) isa='-DFGL_ISA=base' ;;
     esac
     case "$("$1" --version)" in
