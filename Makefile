@@ -50,12 +50,15 @@ ORACLE_OBJECTS = $(patsubst %.c,$(BUILD)/%.o,$(filter-out src/oracle/main.c,$(wi
 
 LIB = $(BUILD)/lib
 LIBS = $(LIB)/libfixedgl.a $(LIB)/libfixedgl.so $(LIB)/libfixedglut.a $(LIB)/libfixedglut.so $(DROP_IN)
-# The same library under the names that programs were linked with, in a folder of its own: LD_LIBRARY_PATH=build/lib/drop-in.
-DROP_IN = $(addprefix $(LIB)/drop-in/,libOSMesa.so.8 libOpenGL.so.0 libGL.so.1)
+# The libraries under the names that programs were linked with, in a folder of its own: LD_LIBRARY_PATH=build/lib/drop-in.
+DROP_IN_GL = libGL.so libOpenGL.so.0 libOpenGL.so libOSMesa.so.8 libOSMesa.so
+DROP_IN_GLUT = libglut.so libglut.so.3 libglut.so.3.12
+DROP_IN = $(addprefix $(LIB)/drop-in/,libGL.so.1 $(DROP_IN_GL) $(DROP_IN_GLUT))
 EXAMPLES = $(patsubst examples/%.c,$(BUILD)/examples/%,$(wildcard examples/*.c))
 FIXEDGL = $(BUILD)/bin/fixedgl
 MEASURE = $(BUILD)/bin/fixedgl-measure
 RPATH = -Wl,-rpath,'$$ORIGIN/../lib'
+RPATH_LIB = -Wl,-rpath,'$$ORIGIN:$$ORIGIN/..'
 
 .PHONY: all libs help deps diff test check asan bench tradeoff goldens vec-report identity fuzz-diff piglit install clean format \
         test-programs diff-run
@@ -83,12 +86,18 @@ $(LIB)/libfixedgl.so: $(CORE_OBJECTS)
 	$(Q)$(CC) -shared $(SANITIZE) -Wl,-soname,libfixedgl.so.0 -Wl,-Bsymbolic $^ -lm -lpthread -o $@
 	@ln -sf libfixedgl.so $(LIB)/libfixedgl.so.0
 
-$(DROP_IN): $(LIB)/libfixedgl.so
+# One file under many names, and so loaded once: FixedGL, and the names that it lacks.
+$(LIB)/drop-in/libGL.so.1: $(BUILD)/src/dropin/absent.o $(LIB)/libfixedgl.so
 	@mkdir -p $(@D)
-	@ln -sf ../libfixedgl.so $@
+	$(Q)$(CC) -shared $(SANITIZE) $(RPATH_LIB) $< -L$(LIB) -lfixedgl -o $@
+$(addprefix $(LIB)/drop-in/,$(DROP_IN_GL)): $(LIB)/drop-in/libGL.so.1
+	@ln -sf libGL.so.1 $@
+$(addprefix $(LIB)/drop-in/,$(DROP_IN_GLUT)): $(LIB)/libfixedglut.so
+	@mkdir -p $(@D)
+	@ln -sf ../libfixedglut.so $@
 
 $(LIB)/libfixedglut.so: $(GLUT_OBJECTS) $(LIB)/libfixedgl.so
-	$(Q)$(CC) -shared $(SANITIZE) -Wl,-soname,libfixedglut.so.0 $(RPATH) $(GLUT_OBJECTS) -L$(LIB) -lfixedgl -lpng -ldl -lm -o $@
+	$(Q)$(CC) -shared $(SANITIZE) -Wl,-soname,libfixedglut.so.0 $(RPATH_LIB) $(GLUT_OBJECTS) -L$(LIB) -lfixedgl -lpng -ldl -lm -o $@
 	@ln -sf libfixedglut.so $(LIB)/libfixedglut.so.0
 
 $(LIB)/libfixedgl.a: $(CORE_OBJECTS)
@@ -225,6 +234,9 @@ install: libs $(FIXEDGL) $(MEASURE)
 	    ln -sf lib$$l.so.0 $(DESTDIR)$(LIBDIR)/lib$$l.so && \
 	    sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@LIBDIR@|$(LIBDIR)|' -e 's|@VERSION@|$(VERSION)|' src/$$l.pc.in \
 	        > $(DESTDIR)$(LIBDIR)/pkgconfig/$$l.pc || exit 1; done
+	install -m 755 $(LIB)/drop-in/libGL.so.1 $(DESTDIR)$(LIBDIR)/fixedgl
+	for n in $(DROP_IN_GL); do ln -sf libGL.so.1 $(DESTDIR)$(LIBDIR)/fixedgl/$$n; done
+	for n in $(DROP_IN_GLUT); do ln -sf ../libfixedglut.so.0 $(DESTDIR)$(LIBDIR)/fixedgl/$$n; done
 	install -m 755 $(FIXEDGL) $(MEASURE) $(DESTDIR)$(PREFIX)/bin
 
 format:

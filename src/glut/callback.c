@@ -1,5 +1,5 @@
-/* Setters of the per-window callbacks, and of those for devices that do not exist. */
-#include <GL/glut.h>
+/* Setters of the per-window callbacks, and of those for what does not exist. */
+#include <GL/freeglut.h>
 #include "internal.h"
 
 #define SETTER(function, field, parameters)                                                                  \
@@ -21,6 +21,7 @@ SETTER(glutEntryFunc, entry, (int))
 SETTER(glutVisibilityFunc, visibility, (int))
 SETTER(glutWindowStatusFunc, window_status, (int))
 SETTER(glutCloseFunc, close, (void))
+SETTER(glutWMCloseFunc, close, (void))
 
 void glutDisplayFunc(void (*func)(void))
 {
@@ -29,6 +30,13 @@ void glutDisplayFunc(void (*func)(void))
         fgl_glut_fail(1, "glutDisplayFunc: a window needs a display callback");
     w->call.display = func;
     w->redisplay = true;
+}
+
+void glutInitContextFunc(void (*func)(void))
+{
+    fgl_glut_require_window("glutInitContextFunc");
+    if (func)
+        func();
 }
 
 void glutIdleFunc(void (*func)(void))
@@ -64,6 +72,12 @@ NO_DEVICE(glutButtonBoxFunc, (int, int))
 NO_DEVICE(glutDialsFunc, (int, int))
 NO_DEVICE(glutTabletMotionFunc, (int, int))
 NO_DEVICE(glutTabletButtonFunc, (int, int, int, int))
+NO_DEVICE(glutPositionFunc, (int, int))
+NO_DEVICE(glutAppStatusFunc, (int))
+NO_DEVICE(glutMultiEntryFunc, (int, int))
+NO_DEVICE(glutMultiButtonFunc, (int, int, int, int, int))
+NO_DEVICE(glutMultiMotionFunc, (int, int, int))
+NO_DEVICE(glutMultiPassiveFunc, (int, int, int))
 
 void glutJoystickFunc(void (*func)(unsigned int, int, int, int), int interval)
 {

@@ -2,7 +2,7 @@
  * lines rounded to pixels. */
 #include <stdlib.h>
 #include <string.h>
-#include <GL/glut.h>
+#include <GL/freeglut.h>
 #include "glyphs.h"
 #include "internal.h"
 
@@ -16,18 +16,19 @@ struct font {
     bool bitmap;
     float capital; /* height of capitals, pixels or object units */
     float advance; /* of every character, 0 for proportional widths */
+    float line;    /* height of a line of text */
 };
 
 static const struct font fonts[] = {
-        {&glutBitmap8By13, true, 9, 8},
-        {&glutBitmap9By15, true, 10, 9},
-        {&glutBitmapTimesRoman10, true, 7, 0},
-        {&glutBitmapTimesRoman24, true, 17, 0},
-        {&glutBitmapHelvetica10, true, 7, 0},
-        {&glutBitmapHelvetica12, true, 9, 0},
-        {&glutBitmapHelvetica18, true, 13, 0},
-        {&glutStrokeRoman, false, 100, 0},
-        {&glutStrokeMonoRoman, false, 100, 104.76f},
+        {&glutBitmap8By13, true, 9, 8, 14},
+        {&glutBitmap9By15, true, 10, 9, 16},
+        {&glutBitmapTimesRoman10, true, 7, 0, 14},
+        {&glutBitmapTimesRoman24, true, 17, 0, 29},
+        {&glutBitmapHelvetica10, true, 7, 0, 14},
+        {&glutBitmapHelvetica12, true, 9, 0, 16},
+        {&glutBitmapHelvetica18, true, 13, 0, 23},
+        {&glutStrokeRoman, false, 100, 0, 152.381f},
+        {&glutStrokeMonoRoman, false, 100, 104.76f, 152.381f},
 };
 
 static const struct font *find_font(const char *function, void *handle, bool bitmap)
@@ -80,14 +81,14 @@ static float left_margin(const struct font *font, const char *glyph)
     return font->bitmap ? (float)(int)margin : margin;
 }
 
-static int string_width(const struct font *font, const unsigned char *string)
+static float string_width(const struct font *font, const unsigned char *string)
 {
     float widest = 0, width = 0;
     for (; *string; string++) {
         width = *string == '\n' ? 0 : width + character_width(font, *string);
         widest = width > widest ? width : widest;
     }
-    return (int)(widest + 0.5f);
+    return widest;
 }
 
 void glutStrokeCharacter(void *handle, int character)
@@ -115,7 +116,40 @@ int glutStrokeWidth(void *handle, int character)
 int glutStrokeLength(void *handle, const unsigned char *string)
 {
     const struct font *font = find_font("glutStrokeLength", handle, false);
+    return font ? (int)(string_width(font, string) + 0.5f) : 0;
+}
+
+GLfloat glutStrokeWidthf(void *handle, int character)
+{
+    const struct font *font = find_font("glutStrokeWidthf", handle, false);
+    return font ? character_width(font, character) : 0;
+}
+
+GLfloat glutStrokeLengthf(void *handle, const unsigned char *string)
+{
+    const struct font *font = find_font("glutStrokeLengthf", handle, false);
     return font ? string_width(font, string) : 0;
+}
+
+GLfloat glutStrokeHeight(void *handle)
+{
+    const struct font *font = find_font("glutStrokeHeight", handle, false);
+    return font ? font->line : 0;
+}
+
+void glutStrokeString(void *handle, const unsigned char *string)
+{
+    const struct font *font = find_font("glutStrokeString", handle, false);
+    float width = 0;
+    for (; font && *string; string++) {
+        if (*string == '\n') {
+            glTranslatef(-width, -font->line, 0);
+            width = 0;
+        } else {
+            glutStrokeCharacter(handle, *string);
+            width += character_width(font, *string);
+        }
+    }
 }
 
 /* ---- bitmap fonts ---- */
@@ -203,5 +237,27 @@ int glutBitmapWidth(void *handle, int character)
 int glutBitmapLength(void *handle, const unsigned char *string)
 {
     const struct font *font = find_font("glutBitmapLength", handle, true);
-    return font ? string_width(font, string) : 0;
+    return font ? (int)(string_width(font, string) + 0.5f) : 0;
+}
+
+int glutBitmapHeight(void *handle)
+{
+    const struct font *font = find_font("glutBitmapHeight", handle, true);
+    return font ? (int)font->line : 0;
+}
+
+void glutBitmapString(void *handle, const unsigned char *string)
+{
+    const struct font *font = find_font("glutBitmapString", handle, true);
+    bitmap_function bitmap = find_bitmap();
+    float width = 0;
+    for (; font && bitmap && *string; string++) {
+        if (*string == '\n') {
+            bitmap(0, 0, 0, 0, -width, -font->line, NULL);
+            width = 0;
+        } else {
+            glutBitmapCharacter(handle, *string);
+            width += character_width(font, *string);
+        }
+    }
 }

@@ -26,6 +26,7 @@
     F(void, HideWindow, (GLFWwindow *))                                                                      \
     F(void, IconifyWindow, (GLFWwindow *))                                                                   \
     F(void, SetWindowMonitor, (GLFWwindow *, GLFWmonitor *, int, int, int, int, int))                        \
+    F(GLFWmonitor *, GetWindowMonitor, (GLFWwindow *))                                                       \
     F(GLFWmonitor *, GetPrimaryMonitor, (void))                                                              \
     F(const GLFWvidmode *, GetVideoMode, (GLFWmonitor *))                                                    \
     F(GLFWcursor *, CreateStandardCursor, (int))                                                             \

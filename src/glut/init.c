@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <GL/glut.h>
+#include <GL/freeglut.h>
 #include "internal.h"
 
 struct glut fgl_glut = {
@@ -12,11 +12,18 @@ struct glut fgl_glut = {
         .y = -1,
         .width = 300,
         .height = 300,
+        .context_version = {1, 0},
         .key_repeat = GLUT_KEY_REPEAT_DEFAULT,
 };
 
-static void print_line(const char *format, va_list arguments)
+typedef void report_function(const char *, va_list);
+
+static void report(report_function *func, const char *format, va_list arguments)
 {
+    if (func) {
+        func(format, arguments);
+        return;
+    }
     fputs("fixedglut: ", stderr);
     vfprintf(stderr, format, arguments);
     fputc('\n', stderr);
@@ -26,7 +33,7 @@ void fgl_glut_warn(const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    print_line(format, arguments);
+    report(fgl_glut.warning, format, arguments);
     va_end(arguments);
 }
 
@@ -34,7 +41,7 @@ void fgl_glut_fail(int status, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    print_line(format, arguments);
+    report(fgl_glut.error, format, arguments);
     va_end(arguments);
     exit(status);
 }
@@ -142,4 +149,37 @@ void glutInitDisplayString(const char *words)
         words += length;
     }
     glutInitDisplayMode(mode);
+}
+
+void glutInitErrorFunc(void (*func)(const char *, va_list))
+{
+    fgl_glut.error = func;
+}
+
+void glutInitWarningFunc(void (*func)(const char *, va_list))
+{
+    fgl_glut.warning = func;
+}
+
+void glutInitContextVersion(int major, int minor)
+{
+    if (major > 1 || (major == 1 && minor > 5))
+        fgl_glut_warn("OpenGL %d.%d is not available: contexts are of OpenGL 1.5", major, minor);
+    fgl_glut.context_version[0] = major;
+    fgl_glut.context_version[1] = minor;
+}
+
+void glutInitContextFlags(int flags)
+{
+    fgl_glut.context_flags = flags;
+}
+
+void glutInitContextProfile(int profile)
+{
+    fgl_glut.context_profile = profile;
+}
+
+GLUTproc glutGetProcAddress(const char *name)
+{
+    return OSMesaGetProcAddress(name);
 }

@@ -3,6 +3,7 @@
 #ifndef FGL_GLUT_INTERNAL_H
 #define FGL_GLUT_INTERNAL_H
 
+#include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <GL/osmesa.h>
@@ -48,8 +49,9 @@ struct window {
     int width, height;     /* pixels */
     unsigned int mode;     /* GLUT_* display mode bits */
     OSMesaContext context;
-    unsigned char *pixels; /* width * height RGBA, lowest row first */
-    unsigned char *indexes; /* GLUT_INDEX: what the context draws to, of which fgl_window_finish makes pixels; else NULL */
+    unsigned char *pixels;  /* width * height RGBA, lowest row first */
+    unsigned char *indexes; /* GLUT_INDEX: what the context draws to, of which fgl_window_finish makes pixels;
+                               else NULL */
     struct colormap *colormap; /* GLUT_INDEX: its own; else NULL */
     int wanted_width, wanted_height;
     bool reshape, redisplay; /* callbacks due */
@@ -59,7 +61,9 @@ struct window {
     int pointer_x, pointer_y;
     bool entered;
     struct callbacks call;
-    void *platform; /* top-level windows in windowed mode: the GLFW window */
+    int before_full_screen[4]; /* x, y, width, height */
+    void *data;                /* the program's */
+    void *platform;            /* top-level windows in windowed mode: the GLFW window */
 };
 
 struct glut {
@@ -75,6 +79,9 @@ struct glut {
     void (*idle)(void);
     void (*menu_status)(int, int, int);
     void (*menu_state)(int);
+    int context_version[2], context_flags, context_profile; /* asked for; of no effect */
+    void (*error)(const char *, va_list),
+            (*warning)(const char *, va_list); /* the program's, or NULL: print */
     int key_repeat;
     bool ignore_key_repeat;
 };
@@ -154,6 +161,8 @@ void fgl_platform_set_position(struct window *w, int x, int y);
 void fgl_platform_show(struct window *w, bool shown);
 void fgl_platform_iconify(struct window *w);
 void fgl_platform_full_screen(struct window *w);
+bool fgl_platform_is_full_screen(const struct window *w);
+void fgl_platform_leave_full_screen(struct window *w);
 void fgl_platform_set_cursor(struct window *w, int cursor);
 void fgl_platform_warp_pointer(struct window *w, int x, int y);
 void fgl_platform_screen_size(int *width, int *height);

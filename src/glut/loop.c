@@ -1,6 +1,6 @@
 /* The main loop: callbacks that are due, and in windowed mode waiting for events. */
 #include <stdlib.h>
-#include <GL/glut.h>
+#include <GL/freeglut.h>
 #include "internal.h"
 
 static void run_reshape(struct window *w)
@@ -139,6 +139,20 @@ void glutSetOption(GLenum option, int value)
     if (option == GLUT_ACTION_ON_WINDOW_CLOSE && value >= GLUT_ACTION_EXIT &&
         value <= GLUT_ACTION_CONTINUE_EXECUTION)
         fgl_glut.on_close = value;
-    else
+    else if (option == GLUT_RENDERING_CONTEXT && value == GLUT_USE_CURRENT_CONTEXT)
+        fgl_glut_warn("glutSetOption: windows cannot share a context");
+    else if (option != GLUT_RENDERING_CONTEXT && option != GLUT_DIRECT_RENDERING &&
+             option != GLUT_MULTISAMPLE &&
+             (option < GLUT_SKIP_STALE_MOTION_EVENTS || option > GLUT_ALLOW_NEGATIVE_WINDOW_POSITION))
         fgl_glut_warn("glutSetOption: option 0x%x, value %d not known", option, value);
+}
+
+void glutExit(void)
+{
+    fgl_glut_require_init("glutExit");
+    for (struct window *w = fgl_glut.windows; w; w = w->next)
+        if (!w->destroyed)
+            glutDestroyWindow(w->id);
+    fgl_window_collect();
+    fgl_glut.initialized = false;
 }

@@ -1,7 +1,7 @@
 /* Menus are kept and can be picked from, but not drawn: a script's "menu" statement picks. */
 #include <stdlib.h>
 #include <string.h>
-#include <GL/glut.h>
+#include <GL/freeglut.h>
 #include "internal.h"
 
 struct item {
@@ -14,6 +14,8 @@ struct menu {
     int id;
     struct menu *next;
     void (*func)(int);
+    void (*destroyed)(void);
+    void *data; /* the program's */
     struct item *items;
     int count;
 };
@@ -61,9 +63,11 @@ void glutDestroyMenu(int id)
         fgl_glut_warn("glutDestroyMenu: no menu %d", id);
         return;
     }
+    current = m;
+    if (m->destroyed)
+        m->destroyed();
     *link = m->next;
-    if (current == m)
-        current = NULL;
+    current = NULL;
     for (struct window *w = fgl_glut.windows; w; w = w->next)
         for (int button = 0; button < BUTTONS; button++)
             if (w->menu[button] == id)
@@ -88,6 +92,29 @@ void glutSetMenu(int id)
         current = m;
     else
         fgl_glut_warn("glutSetMenu: no menu %d", id);
+}
+
+void glutMenuDestroyFunc(void (*func)(void))
+{
+    require_menu("glutMenuDestroyFunc")->destroyed = func;
+}
+
+void *glutGetMenuData(void)
+{
+    return require_menu("glutGetMenuData")->data;
+}
+
+void glutSetMenuData(void *data)
+{
+    require_menu("glutSetMenuData")->data = data;
+}
+
+void glutSetMenuFont(int id, void *font)
+{
+    (void)font;
+    fgl_glut_require_init("glutSetMenuFont");
+    if (!find(id))
+        fgl_glut_warn("glutSetMenuFont: no menu %d", id);
 }
 
 static void set_item(struct item *item, const char *label, int value, int submenu)

@@ -2,6 +2,7 @@
  * system's GL found through glfwGetProcAddress, only copies it to the screen. No gl* function is called by
  * name here. */
 #include <stdlib.h>
+#include <string.h>
 #include <GL/glut.h>
 #include "glfw_table.h"
 #include "internal.h"
@@ -236,8 +237,23 @@ void fgl_platform_full_screen(struct window *w)
     const struct glfw *glfw = fgl_glfw();
     GLFWmonitor *monitor = glfw->GetPrimaryMonitor();
     const GLFWvidmode *mode = monitor ? glfw->GetVideoMode(monitor) : NULL;
-    if (mode)
-        glfw->SetWindowMonitor(w->platform, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    if (!mode || fgl_platform_is_full_screen(w))
+        return;
+    const int place[4] = {w->x, w->y, w->width, w->height};
+    memcpy(w->before_full_screen, place, sizeof place);
+    glfw->SetWindowMonitor(w->platform, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+bool fgl_platform_is_full_screen(const struct window *w)
+{
+    return fgl_glfw()->GetWindowMonitor(w->platform) != NULL;
+}
+
+void fgl_platform_leave_full_screen(struct window *w)
+{
+    const int *place = w->before_full_screen;
+    if (fgl_platform_is_full_screen(w))
+        fgl_glfw()->SetWindowMonitor(w->platform, NULL, place[0], place[1], place[2], place[3], 0);
 }
 
 void fgl_platform_set_cursor(struct window *w, int cursor)

@@ -1,7 +1,8 @@
-/* Cube and the other Platonic solids, centred on the origin, faces and vertices in freeglut's order. A face
- * is flat: each of its vertices carries the face's normal, and no vertex is shared between faces. */
+/* Cube and the other Platonic solids, and the rhombic dodecahedron, centred on the origin, faces and vertices
+ * in freeglut's order. A face is flat: each of its vertices carries the face's normal, and no vertex is
+ * shared between faces. */
 #include <math.h>
-#include <GL/glut.h>
+#include <GL/freeglut.h>
 #include "internal.h"
 #include "shapes.h"
 
@@ -9,7 +10,8 @@ enum { MAX_VERTICES = 60, MAX_INDICES = 108, MAX_SIDES = 5 };
 
 struct polyhedron {
     int faces, sides;
-    double normal_length; /* 1, but for the icosahedron */
+    double normal_length[2]; /* of faces along the z axis, and of the others: 1, but where freeglut's are not
+                              */
     const double (*vertex)[3];
     const unsigned char *face; /* faces * sides indices into vertex, counter-clockwise from outside */
 };
@@ -66,15 +68,28 @@ static const double cube_vertex[8][3] = {{.5, .5, .5},  {.5, .5, -.5},  {.5, -.5
                                          {-.5, .5, .5}, {-.5, .5, -.5}, {-.5, -.5, .5}, {-.5, -.5, -.5}};
 static const unsigned char cube_face[] = {0, 4, 6, 2, 0, 2, 3, 1, 0, 1, 5, 4,
                                           4, 5, 7, 6, 7, 3, 2, 6, 3, 7, 5, 1};
+
+/* 2 high. Its slanted faces have normals sqrt(1/2) long, as freeglut's. */
+#define D 0.70710678118654752440 /* sqrt(1/2) */
+static const double rhombic_vertex[14][3] = {
+        {0, 0, 1},   {D, 0, .5}, {0, D, .5},  {-D, 0, .5}, {0, -D, .5},  {D, D, 0},    {-D, D, 0},
+        {-D, -D, 0}, {D, -D, 0}, {D, 0, -.5}, {0, D, -.5}, {-D, 0, -.5}, {0, -D, -.5}, {0, 0, -1}};
+static const unsigned char rhombic_face[] = {0, 1,  5,  2,  0, 2,  6,  3,  0, 3,  7,  4,  0, 4,  8,  1,
+                                             5, 10, 6,  2,  6, 11, 7,  3,  7, 12, 8,  4,  8, 9,  5,  1,
+                                             5, 9,  13, 10, 6, 10, 13, 11, 7, 11, 13, 12, 8, 12, 13, 9};
 /* clang-format on */
 
-static const struct polyhedron tetrahedron = {4, 3, 1, tetrahedron_vertex, tetrahedron_face};
-static const struct polyhedron octahedron = {8, 3, 1, octahedron_vertex, octahedron_face};
-static const struct polyhedron dodecahedron = {12, 5, 1, dodecahedron_vertex, dodecahedron_face};
+static const struct polyhedron tetrahedron = {4, 3, {1, 1}, tetrahedron_vertex, tetrahedron_face};
+static const struct polyhedron octahedron = {8, 3, {1, 1}, octahedron_vertex, octahedron_face};
+static const struct polyhedron dodecahedron = {12, 5, {1, 1}, dodecahedron_vertex, dodecahedron_face};
 /* freeglut's icosahedron normals are the cross product of two edges, 0.957 long: sqrt(3)/2 * (2 - 2/sqrt(5)).
  * Kept, since a program without GL_NORMALIZE shows it. */
-static const struct polyhedron icosahedron = {20, 3, 0.957454138327394, icosahedron_vertex, icosahedron_face};
-static const struct polyhedron cube = {6, 4, 1, cube_vertex, cube_face};
+#define ICOSAHEDRON_NORMAL 0.957454138327394
+static const struct polyhedron icosahedron = {
+        20, 3, {ICOSAHEDRON_NORMAL, ICOSAHEDRON_NORMAL}, icosahedron_vertex, icosahedron_face};
+static const struct polyhedron rhombic_dodecahedron = {12, 4, {1, D}, rhombic_vertex, rhombic_face};
+#undef D
+static const struct polyhedron cube = {6, 4, {1, 1}, cube_vertex, cube_face};
 
 /* A regular face's normal points along the sum of its vertices. */
 static void face_normal(const struct polyhedron *p, int face, float normal[3])
@@ -85,7 +100,7 @@ static void face_normal(const struct polyhedron *p, int face, float normal[3])
             sum[axis] += p->vertex[p->face[face * p->sides + i]][axis];
     double length = sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
     for (int axis = 0; axis < 3; axis++)
-        normal[axis] = (float)(sum[axis] * p->normal_length / length);
+        normal[axis] = (float)(sum[axis] * p->normal_length[sum[2] != 0] / length);
 }
 
 static void begin_polyhedron(const struct polyhedron *p, float size)
@@ -176,4 +191,14 @@ void glutSolidIcosahedron(void)
 void glutWireIcosahedron(void)
 {
     draw_wire("glutWireIcosahedron", &icosahedron, 1);
+}
+
+void glutSolidRhombicDodecahedron(void)
+{
+    draw_solid("glutSolidRhombicDodecahedron", &rhombic_dodecahedron, 1);
+}
+
+void glutWireRhombicDodecahedron(void)
+{
+    draw_wire("glutWireRhombicDodecahedron", &rhombic_dodecahedron, 1);
 }

@@ -1,6 +1,6 @@
 /* glutGet and its kin: what the library, its windows and its devices are. */
 #include <string.h>
-#include <GL/glut.h>
+#include <GL/freeglut.h>
 #include "internal.h"
 
 enum { SCREEN_DPI_TENTHS = 254 }; /* 1 mm is 1/25.4 inch; screens are taken to have 96 dots per inch */
@@ -61,6 +61,8 @@ static int get_window(GLenum query, const struct window *w)
 
 int glutGet(GLenum query)
 {
+    if (query == GLUT_INIT_STATE) /* the one that may be asked before glutInit */
+        return fgl_glut.initialized;
     fgl_glut_require_init("glutGet");
     if (query >= GLUT_WINDOW_X && query <= GLUT_WINDOW_FORMAT_ID)
         return get_window(query, fgl_glut.current);
@@ -79,8 +81,33 @@ int glutGet(GLenum query)
     case GLUT_ELAPSED_TIME: return fgl_clock_now();
     case GLUT_VERSION: return 30400; /* whose shapes and additions these are */
     case GLUT_ACTION_ON_WINDOW_CLOSE: return fgl_glut.on_close;
+    case GLUT_INIT_MAJOR_VERSION: return fgl_glut.context_version[0];
+    case GLUT_INIT_MINOR_VERSION: return fgl_glut.context_version[1];
+    case GLUT_INIT_FLAGS: return fgl_glut.context_flags;
+    case GLUT_INIT_PROFILE: return fgl_glut.context_profile;
+    case GLUT_FULL_SCREEN:
+        return fgl_glut.current && fgl_glut.current->platform &&
+               fgl_platform_is_full_screen(fgl_glut.current);
+    case GLUT_DIRECT_RENDERING: return GLUT_TRY_DIRECT_CONTEXT;
+    case GLUT_WINDOW_BORDER_WIDTH:
+    case GLUT_WINDOW_BORDER_HEIGHT:
+    case GLUT_WINDOW_SRGB:
+    case GLUT_AUX:
+    case GLUT_RENDERING_CONTEXT:
+    case GLUT_SKIP_STALE_MOTION_EVENTS:
+    case GLUT_GEOMETRY_VISUALIZE_NORMALS:
+    case GLUT_STROKE_FONT_DRAW_JOIN_DOTS:
+    case GLUT_ALLOW_NEGATIVE_WINDOW_POSITION: return 0;
     default: fgl_glut_warn("glutGet: no query 0x%x", query); return -1;
     }
+}
+
+int *glutGetModeValues(GLenum mode, int *size)
+{
+    static int samples = 1;
+    fgl_glut_require_init("glutGetModeValues");
+    *size = mode == GLUT_MULTISAMPLE;
+    return *size ? &samples : NULL;
 }
 
 int glutDeviceGet(GLenum query)

@@ -1,5 +1,6 @@
-/* Sphere, cone and torus with the tessellation of freeglut 3.4: the same vertices to the last bit, in
- * the same primitives. Every shape is a grid of vertices drawn as one triangle strip per ring. */
+/* Sphere and torus, and what all shapes are made with, with the tessellation of freeglut 3.4: the same
+ * vertices to the last bit, in the same primitives. Every shape is a grid of vertices drawn as one triangle
+ * strip per ring. */
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
@@ -59,7 +60,7 @@ void fgl_shape_draw_elements(GLenum mode, const GLuint *index, int count, int le
 
 static const float PI = 3.14159265358979323846f, TWO_PI = 6.28318530717958647692f;
 
-static void set_vector(float out[3], float x, float y, float z)
+void fgl_shape_set(float out[3], float x, float y, float z)
 {
     out[0] = x;
     out[1] = y;
@@ -76,14 +77,13 @@ static void circle_point(int i, int n, float whole, float *cosine, float *sine)
     *sine = i ? (float)sin((double)angle) : 0;
 }
 
-static void make_circle(float (*circle)[2], int n)
+void fgl_shape_circle(float (*circle)[2], int n)
 {
     for (int i = 0; i < n; i++)
         circle_point(i, -n, TWO_PI, &circle[i][0], &circle[i][1]);
 }
 
-/* Strips between two rings of n vertices that start at `upper` and `lower`; closed by repeating the start. */
-static GLuint *put_ring_strip(GLuint *out, GLuint first, GLuint second, int n)
+GLuint *fgl_shape_ring_strip(GLuint *out, GLuint first, GLuint second, int n)
 {
     for (int j = 0; j <= n; j++) {
         GLuint step = (GLuint)(j == n ? 0 : j);
@@ -93,8 +93,7 @@ static GLuint *put_ring_strip(GLuint *out, GLuint first, GLuint second, int n)
     return out;
 }
 
-/* Strip between a ring and a pole, or a pole and a ring. */
-static GLuint *put_cap_strip(GLuint *out, GLuint ring, GLuint pole, int n, bool pole_first)
+GLuint *fgl_shape_cap_strip(GLuint *out, GLuint ring, GLuint pole, int n, bool pole_first)
 {
     for (int j = 0; j <= n; j++) {
         GLuint on_ring = ring + (GLuint)(j == n ? 0 : j);
@@ -114,21 +113,21 @@ static bool make_sphere(struct shape_mesh *m, float radius, int slices, int stac
     uint64_t indices = 2 * ((uint64_t)slices + 1) * (uint64_t)stacks + vertices;
     if (!fgl_shape_reserve(m, vertices, indices, slices))
         return false;
-    make_circle(m->circle, slices);
+    fgl_shape_circle(m->circle, slices);
     size_t v = 0;
-    set_vector(m->position[v], 0, 0, radius);
-    set_vector(m->normal[v++], 0, 0, 1);
+    fgl_shape_set(m->position[v], 0, 0, radius);
+    fgl_shape_set(m->normal[v++], 0, 0, 1);
     for (int i = 1; i < stacks; i++) {
         float z, r;
         circle_point(i, stacks, PI, &z, &r);
         for (int j = 0; j < slices; j++, v++) {
             float c = m->circle[j][0], s = m->circle[j][1];
-            set_vector(m->normal[v], c * r, s * r, z);
-            set_vector(m->position[v], c * r * radius, s * r * radius, z * radius);
+            fgl_shape_set(m->normal[v], c * r, s * r, z);
+            fgl_shape_set(m->position[v], c * r * radius, s * r * radius, z * radius);
         }
     }
-    set_vector(m->position[v], 0, 0, -radius);
-    set_vector(m->normal[v], 0, 0, -1);
+    fgl_shape_set(m->position[v], 0, 0, -radius);
+    fgl_shape_set(m->normal[v], 0, 0, -1);
     return true;
 }
 
@@ -139,12 +138,12 @@ void glutSolidSphere(double radius, GLint slices, GLint stacks)
     if (!make_sphere(&m, (float)radius, slices, stacks))
         return;
     GLuint last = (GLuint)slices * (GLuint)(stacks - 1) + 1;
-    GLuint *out = put_cap_strip(m.index, 1, 0, slices, false);
+    GLuint *out = fgl_shape_cap_strip(m.index, 1, 0, slices, false);
     for (int i = 1; i < stacks - 1; i++) {
         GLuint ring = 1 + (GLuint)(i - 1) * (GLuint)slices;
-        out = put_ring_strip(out, ring + (GLuint)slices, ring, slices);
+        out = fgl_shape_ring_strip(out, ring + (GLuint)slices, ring, slices);
     }
-    put_cap_strip(out, last - (GLuint)slices, last, slices, true);
+    fgl_shape_cap_strip(out, last - (GLuint)slices, last, slices, true);
     fgl_shape_begin(m.position, m.normal);
     fgl_shape_draw_elements(GL_TRIANGLE_STRIP, m.index, stacks, 2 * (slices + 1));
     fgl_shape_end();
@@ -173,77 +172,6 @@ void glutWireSphere(double radius, GLint slices, GLint stacks)
     fgl_shape_end();
 }
 
-/* ---- cone: base centre, base ring facing -z, then stacks + 1 rings up to the apex ---- */
-
-static bool make_cone(struct shape_mesh *m, float base, float height, int slices, int stacks)
-{
-    if (slices < 1 || stacks < 1)
-        return false;
-    uint64_t vertices = (uint64_t)slices * ((uint64_t)stacks + 2) + 1;
-    uint64_t indices = 2 * ((uint64_t)slices + 1) * ((uint64_t)stacks + 1) + 2 * (uint64_t)slices;
-    if (!fgl_shape_reserve(m, vertices, indices, slices))
-        return false;
-    make_circle(m->circle, slices);
-    float slant = sqrtf(height * height + base * base);
-    float normal_xy = height / slant, normal_z = base / slant;
-    float z_step = height / (float)stacks, r_step = base / (float)stacks;
-    float z = 0, r = base;
-    size_t v = 0;
-    set_vector(m->position[v], 0, 0, 0);
-    set_vector(m->normal[v++], 0, 0, -1);
-    for (int i = -1; i <= stacks; i++) {
-        for (int j = 0; j < slices; j++, v++) {
-            float c = m->circle[j][0], s = m->circle[j][1];
-            set_vector(m->position[v], c * r, s * r, z);
-            if (i < 0)
-                set_vector(m->normal[v], 0, 0, -1);
-            else
-                set_vector(m->normal[v], c * normal_xy, s * normal_xy, normal_z);
-        }
-        if (i >= 0) {
-            z += z_step;
-            r -= r_step;
-        }
-    }
-    return true;
-}
-
-void glutSolidCone(double base, double height, GLint slices, GLint stacks)
-{
-    struct shape_mesh m;
-    fgl_glut_require_init("glutSolidCone");
-    if (!make_cone(&m, (float)base, (float)height, slices, stacks))
-        return;
-    GLuint *out = put_cap_strip(m.index, 1, 0, slices, true);
-    for (int i = 1; i <= stacks; i++) {
-        GLuint ring = 1 + (GLuint)i * (GLuint)slices;
-        out = put_ring_strip(out, ring, ring + (GLuint)slices, slices);
-    }
-    fgl_shape_begin(m.position, m.normal);
-    fgl_shape_draw_elements(GL_TRIANGLE_STRIP, m.index, stacks + 1, 2 * (slices + 1));
-    fgl_shape_end();
-}
-
-void glutWireCone(double base, double height, GLint slices, GLint stacks)
-{
-    struct shape_mesh m;
-    fgl_glut_require_init("glutWireCone");
-    if (!make_cone(&m, (float)base, (float)height, slices, stacks))
-        return;
-    GLuint n = (GLuint)slices;
-    GLuint *side = m.index, *ring = m.index + 2 * n;
-    for (GLuint j = 0; j < n; j++) {
-        side[2 * j] = 1 + n + j;
-        side[2 * j + 1] = 1 + n * ((GLuint)stacks + 1) + j;
-    }
-    for (GLuint i = 0; i < n * (GLuint)stacks; i++)
-        ring[i] = 1 + n + i;
-    fgl_shape_begin(m.position, m.normal);
-    fgl_shape_draw_elements(GL_LINES, side, 1, 2 * slices);
-    fgl_shape_draw_elements(GL_LINE_LOOP, ring, stacks, slices);
-    fgl_shape_end();
-}
-
 /* ---- torus: `rings` circles of `sides` vertices, around the z axis ---- */
 
 static bool make_torus(struct shape_mesh *m, float inner, float outer, int sides, int rings)
@@ -253,7 +181,7 @@ static bool make_torus(struct shape_mesh *m, float inner, float outer, int sides
     uint64_t vertices = (uint64_t)sides * (uint64_t)rings;
     if (!fgl_shape_reserve(m, vertices, 2 * ((uint64_t)rings + 1) * (uint64_t)sides, sides))
         return false;
-    make_circle(m->circle, sides);
+    fgl_shape_circle(m->circle, sides);
     size_t v = 0;
     for (int j = 0; j < rings; j++) {
         float c_ring, s_ring;
@@ -261,8 +189,8 @@ static bool make_torus(struct shape_mesh *m, float inner, float outer, int sides
         for (int i = 0; i < sides; i++, v++) {
             float c = m->circle[i][0], s = m->circle[i][1];
             float r = outer + c * inner;
-            set_vector(m->position[v], c_ring * r, s_ring * r, s * inner);
-            set_vector(m->normal[v], c_ring * c, s_ring * c, s);
+            fgl_shape_set(m->position[v], c_ring * r, s_ring * r, s * inner);
+            fgl_shape_set(m->normal[v], c_ring * c, s_ring * c, s);
         }
     }
     return true;

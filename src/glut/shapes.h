@@ -22,6 +22,16 @@ bool fgl_shape_reserve(struct shape_mesh *mesh, uint64_t vertices, uint64_t indi
 void fgl_shape_begin(const float (*position)[3], const float (*normal)[3]);
 void fgl_shape_end(void);
 
+void fgl_shape_set(float out[3], float x, float y, float z);
+
+/* Cosines and sines of n points around a circle, clockwise from (1, 0), with freeglut's roundings. */
+void fgl_shape_circle(float (*circle)[2], int n);
+
+/* Indices of a triangle strip between two rings of n vertices, or between a ring and a pole; closed by
+ * repeating the start. The end of what was written. */
+GLuint *fgl_shape_ring_strip(GLuint *out, GLuint first, GLuint second, int n);
+GLuint *fgl_shape_cap_strip(GLuint *out, GLuint ring, GLuint pole, int n, bool pole_first);
+
 /* Draws `count` primitives of `length` indices each, one glDrawElements per primitive. */
 void fgl_shape_draw_elements(GLenum mode, const GLuint *index, int count, int length);
 

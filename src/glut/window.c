@@ -1,7 +1,8 @@
-/* Windows. Each has an OSMesa context and one RGBA buffer, besides one of indexes with GLUT_INDEX; a child window is one drawn over its parent. */
+/* Windows. Each has an OSMesa context and one RGBA buffer, besides one of indexes with GLUT_INDEX; a child
+ * window is one drawn over its parent. */
 #include <stdlib.h>
 #include <string.h>
-#include <GL/glut.h>
+#include <GL/freeglut.h>
 #include "internal.h"
 
 struct window *fgl_window_find(int id)
@@ -21,7 +22,8 @@ struct window *fgl_window_root(struct window *w)
 
 void fgl_window_make_current(struct window *w)
 {
-    if (!OSMesaMakeCurrent(w->context, w->colormap ? w->indexes : w->pixels, GL_UNSIGNED_BYTE, w->width, w->height))
+    if (!OSMesaMakeCurrent(w->context, w->colormap ? w->indexes : w->pixels, GL_UNSIGNED_BYTE, w->width,
+                           w->height))
         fgl_glut_fail(1, "cannot draw pictures of %d x %d", w->width, w->height);
     fgl_glut.current = w;
 }
@@ -242,6 +244,32 @@ void glutFullScreen(void)
     struct window *w = fgl_glut_require_window("glutFullScreen");
     if (w->platform)
         fgl_platform_full_screen(w);
+}
+
+void glutLeaveFullScreen(void)
+{
+    struct window *w = fgl_glut_require_window("glutLeaveFullScreen");
+    if (w->platform)
+        fgl_platform_leave_full_screen(w);
+}
+
+void glutFullScreenToggle(void)
+{
+    struct window *w = fgl_glut_require_window("glutFullScreenToggle");
+    if (w->platform && fgl_platform_is_full_screen(w))
+        fgl_platform_leave_full_screen(w);
+    else if (w->platform)
+        fgl_platform_full_screen(w);
+}
+
+void *glutGetWindowData(void)
+{
+    return fgl_glut_require_window("glutGetWindowData")->data;
+}
+
+void glutSetWindowData(void *data)
+{
+    fgl_glut_require_window("glutSetWindowData")->data = data;
 }
 
 static void show(const char *function, bool shown)

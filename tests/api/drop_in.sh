@@ -1,11 +1,52 @@
 #!/bin/sh
-# A program linked with Mesa's libOSMesa and the system's GLU draws through FixedGL under the old names.
+# Programs that are already compiled draw through FixedGL under the old names: one linked with Mesa's libOSMesa and the
+# system's GLU, and one of GLUT and libGL that resolves every name at the start, those that FixedGL lacks too.
 set -eu
-mesa=$(find /usr/lib /lib -name libOSMesa.so.8 2>/dev/null | head -n 1)
-[ -n "$mesa" ] || { echo "skipped: no libOSMesa.so.8 to link with"; exit 0; }
 case "$BUILD" in *asan*) echo "skipped: the sanitizer must be loaded first"; exit 0 ;; esac
 dir=$BUILD/tests/drop_in
 mkdir -p "$dir"
+
+# The old libraries, as far as a linker looks at them.
+stub() { # stub SONAME FUNCTION...
+    name=$1
+    shift
+    for f in "$@"; do echo "void $f(void) {}"; done | $CC -shared -fPIC -x c - -Wl,-soname,"$name" -o "$dir/$name"
+}
+stub libglut.so.3 glutInit glutCreateWindow glutDisplayFunc glutMainLoop
+stub libGL.so.1 glClearColor glClear glGetString glCreateShader glXGetCurrentContext glXGetProcAddressARB
+cat >"$dir/old.c" <<'EOF'
+#include <GL/glut.h>
+#include <stdio.h>
+extern unsigned int glCreateShader(unsigned int type);
+extern void *glXGetCurrentContext(void);
+extern void (*glXGetProcAddressARB(const unsigned char *name))(void);
+static void display(void)
+{
+    glClearColor(0, 1, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    printf("%s %d %d %d %d\n", (const char *)glGetString(GL_RENDERER), glXGetCurrentContext() != NULL,
+           glXGetProcAddressARB((const unsigned char *)"glBegin") != NULL,
+           glXGetProcAddressARB((const unsigned char *)"glCreateShader") != NULL, glCreateShader(0x8b31));
+}
+int main(int argc, char **argv)
+{
+    glutInit(&argc, argv);
+    glutCreateWindow("old");
+    glutDisplayFunc(display);
+    glutMainLoop();
+    return 0;
+}
+EOF
+$CC -Iinclude "$dir/old.c" "$dir/libglut.so.3" "$dir/libGL.so.1" -Wl,-z,now -o "$dir/old"
+answer=$(LD_LIBRARY_PATH=$BUILD/lib/drop-in FIXEDGL_CAPTURE=$dir/old.pam "$dir/old" 2>"$dir/old.err")
+echo "$answer"
+cat "$dir/old.err"
+case "$answer" in "FixedGL"*" 1 1 0 0") ;; *) exit 1 ;; esac
+grep -q "glCreateShader is not in OpenGL 1.5" "$dir/old.err"
+[ -s "$dir/old.pam" ]
+
+mesa=$(find /usr/lib /lib -name libOSMesa.so.8 2>/dev/null | head -n 1)
+[ -n "$mesa" ] || { echo "skipped: no libOSMesa.so.8 to link with"; exit 0; }
 cat >"$dir/program.c" <<'EOF'
 #include <GL/glu.h>
 #include <GL/osmesa.h>

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-#include <GL/glut.h>
+#include <GL/freeglut.h>
 
 static struct {
     const float *position, *normal, *texcoord;
@@ -157,6 +157,25 @@ static void test_polyhedra(void **state)
     CHECK(glutWireIcosahedron(), icosahedron_normal, 20, 60, 0x4789a2ca4da7e8fd);
 }
 
+static void test_freeglut_shapes(void **state)
+{
+    (void)state;
+    double offset[3] = {0.1, -0.3, 0.2};
+    CHECK(glutSolidCylinder(0.75, 2, 13, 5), 1, 7, 196, 0x592367c1911f2170);
+    CHECK(glutWireCylinder(2.5, 0.3, 8, 8), 1, 10, 88, 0x6959b32394ac671a);
+    CHECK(glutSolidSierpinskiSponge(3, offset, 0.7), 1, 1, 768, 0x96c6512ec4c46e4e);
+    CHECK(glutWireSierpinskiSponge(2, offset, 1.5), 1, 64, 192, 0xdb336f36eceffce7);
+    CHECK(glutSolidSierpinskiSponge(0, offset, 1), 1, 1, 12, 0xbbfb8e9cc92f2e79);
+    CHECK(glutSolidSierpinskiSponge(-1, offset, 1), 1, 0, 0, 0xcbf29ce484222325);
+    /* 8 of its 12 normals are sqrt(1/2) long */
+    start(0.70710678);
+    glutSolidRhombicDodecahedron();
+    check("solid rhombic dodecahedron", 1, 72, UINT64_C(0xbc949f30a108ffb9), 0.2929);
+    start(0.70710678);
+    glutWireRhombicDodecahedron();
+    check("wire rhombic dodecahedron", 12, 48, UINT64_C(0x26ce54d095cbdea5), 0.2929);
+}
+
 /* The first size decides the normals' last bits, as in freeglut; the recording began with 1. */
 static void test_teapot(void **state)
 {
@@ -179,7 +198,10 @@ static void test_degenerate(void **state)
     glutWireCone(1, 1, 5, 0);
     glutSolidTorus(1, 2, 1, 5);
     glutWireTorus(1, 2, 5, -1);
+    glutSolidCylinder(1, 1, 0, 3);
+    glutWireCylinder(1, 1, 3, 0);
     glutSolidSphere(1, 0x7fffffff, 0x7fffffff);
+    glutSolidSierpinskiSponge(11, (double[3]){0}, 1);
     glutSolidTorus(1, 2, 0x40000000, 8);
     assert_int_equal(record.draws, 0);
 }
@@ -204,7 +226,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
             cmocka_unit_test(test_round_shapes),  cmocka_unit_test(test_polyhedra),
             cmocka_unit_test(test_teapot),        cmocka_unit_test(test_degenerate),
-            cmocka_unit_test(test_many_vertices),
+            cmocka_unit_test(test_many_vertices), cmocka_unit_test(test_freeglut_shapes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
