@@ -1,277 +1,19 @@
-/* glDrawPixels, glCopyPixels, glPixelZoom (GL 1.5, 3.6.4 "Rasterization of Pixel Rectangles", 4.3.3 "Copying
- * Pixels"). */
+/* glDrawPixels, glPixelZoom (GL 1.5, 3.6.4 "Rasterization of Pixel Rectangles"). */
 #include "api/command.h"
 #include "api/framebuffer_object.h"
 #include "api/list.h"
 #include "api/pixel_image.h"
 #include "api/set.h"
-#include "framebuffer/imaging.h"
-#include "framebuffer/pixel_pack.h"
 #include "framebuffer/pixel_unpack.h"
-#include "pipeline/feedback.h"
-#include "pipeline/pixels.h"
-#include "pipeline/zoom_clip.h"
-#include "raster/zoom.h"
 
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
-/* A pixel rectangle on its way to the framebuffer. Rows are unpacked whole; columns of the window choose from
- * them. */
-struct rectangle {
-    struct pixel_unpack unpack;
-    struct zoom zoom;
-    struct pixel_draw draw;
-    struct rect area;            /* window pixels that it covers and may draw */
-    enum { RGBA_FLOATS, RGBA_UNORM8, COLOR_INDEXES, DEPTH, STENCIL } kind;
-    int planes;                       /* numbers of a pixel: 4 of RGBA_FLOATS, else 1 */
-    int first, columns;               /* the image's columns that are seen */
-    bool straight;                    /* window columns show neighbouring columns of the image */
-    int row;                          /* of the image, in `shown`; -1: none yet */
-    int *column;                      /* by window x: which of the columns */
-    union number *source[4], *shown[4]; /* the image's row; by window x */
-    struct framebuffer *fb;
-    uint8_t stencil_mask;
-};
-
-/* What a plane consists of, by kind. */
-union number {
-    float f;         /* RGBA_FLOATS, COLOR_INDEXES, DEPTH */
-    uint32_t unorm8; /* RGBA_UNORM8 */
-    int32_t index;   /* STENCIL */
-};
-
-/* OSMesa rule: the position is rounded half away from zero. */
-static int round_position(float v)
-{
-    const float limit = 1 << 24;
-    const float c = v < -limit ? -limit : v < limit ? v : limit;
-    return (int)(c < 0.0f ? c - 0.5f : c + 0.5f);
-}
-
-static bool place(const struct context *ctx, int width, int height, const struct rect *bounds, bool copied,
-                  struct zoom *zoom, struct rect *area)
-{
-    const struct framebuffer *fb = ctx->framebuffer;
-    const float *position = ctx->s.current.raster_position;
-    fgl_zoom_setup(zoom, round_position(position[0]), round_position(position[1]), width, height,
-                   ctx->s.pixel_mode.zoom_x, ctx->s.pixel_mode.zoom_y, fb->width, fb->height, copied);
-    area->x0 = fgl_max(zoom->covered.x0, bounds->x0);
-    area->y0 = fgl_max(zoom->covered.y0, bounds->y0);
-    area->x1 = fgl_min(zoom->covered.x1, bounds->x1);
-    area->y1 = fgl_min(zoom->covered.y1, bounds->y1);
-    return area->x0 < area->x1 && area->y0 < area->y1;
-}
-
-/* The columns of the image that the area shows, or all, and room for rows of them. */
-static bool choose_columns(struct rectangle *r, int stride, bool all)
-{
-    const int a = all ? 0 : fgl_zoom_column(&r->zoom, r->area.x0),
-              b = all ? r->zoom.width - 1 : fgl_zoom_column(&r->zoom, r->area.x1 - 1);
-    r->first = fgl_min(a, b);
-    r->columns = fgl_max(a, b) - r->first + 1;
-    r->row = -1;
-    r->column = malloc((size_t)stride * sizeof *r->column);
-    union number *room =
-            calloc((size_t)r->planes * ((size_t)r->columns + PIXEL_CHUNK + (size_t)stride), sizeof *room);
-    if (!r->column || !room) {
-        free(r->column);
-        free(room);
-        return false;
-    }
-    for (int i = 0; i < r->planes; i++) {
-        r->source[i] = room + (size_t)i * ((size_t)r->columns + PIXEL_CHUNK + (size_t)stride);
-        r->shown[i] = r->source[i] + r->columns + PIXEL_CHUNK;
-    }
-    for (int x = r->area.x0; x < r->area.x1; x++)
-        r->column[x] = fgl_zoom_column(&r->zoom, x) - r->first;
-    r->straight = !all && b - a == r->area.x1 - 1 - r->area.x0;
-    return true;
-}
-
-/* Columns at .. at+n of those that are seen, into to[]. */
-static void unpack_chunk(struct rectangle *r, int row, int at, int n, union number *const to[4])
-{
-    const int column = r->first + at;
-    struct color_row colors;
-    switch (r->kind) {
-    case DEPTH: fgl_unpack_depth(&r->unpack, row, column, n, &to[0][at].f); break;
-    case STENCIL: fgl_unpack_stencil(&r->unpack, row, column, n, &to[0][at].index); break;
-    case COLOR_INDEXES: fgl_unpack_color_index(&r->unpack, row, column, n, &to[0][at].f); break;
-    case RGBA_UNORM8: fgl_unpack_unorm8(&r->unpack, row, column, n, &to[0][at].unorm8); break;
-    case RGBA_FLOATS:
-        fgl_unpack_color(&r->unpack, row, column, n, &colors);
-        for (int c = 0; c < 4; c++)
-            memcpy(&to[c][at].f, colors.channel[c], (size_t)n * sizeof(float));
-        break;
-    }
-}
-
-static void unpack_row(struct rectangle *r, int row, union number *const to[4])
-{
-    for (int at = 0; at < r->columns; at += PIXEL_CHUNK)
-        unpack_chunk(r, row, at, fgl_min(PIXEL_CHUNK, r->columns - at), to);
-}
-
-/* Makes `shown` a row of the image. */
-static void show_row(struct rectangle *r, int row)
-{
-    union number *to[4];
-    if (row == r->row)
-        return;
-    for (int c = 0; c < r->planes; c++)
-        to[c] = r->straight ? r->shown[c] + r->area.x0 : r->source[c];
-    unpack_row(r, row, to);
-    for (int c = 0; c < r->planes && !r->straight; c++)
-        for (int x = r->area.x0; x < r->area.x1; x++)
-            r->shown[c][x] = r->source[c][r->column[x]];
-    r->row = row;
-}
-
-/* Straight into the buffer (3.6.4 "Final Conversion": scissor and mask alone apply). */
-static void write_stencil(const struct rectangle *r, int y, int x0, int x1)
-{
-    uint8_t *s = r->fb->stencil + (size_t)y * (size_t)r->fb->stride;
-    const uint8_t mask = r->stencil_mask;
-    for (int x = x0; x < x1; x++)
-        s[x] = (uint8_t)((s[x] & ~mask) | (r->shown[0][x].index & mask));
-}
-
-static void draw_run(const struct rectangle *r, int y, int x0, int x1)
-{
-    if (r->kind == STENCIL)
-        write_stencil(r, y, x0, x1);
-    else
-        fgl_pixels_run(&r->draw, y, x0, x1);
-}
-
-/* Where the row passes from one triangle into the other: the first pixel that is not in the triangle of pixel
- * x0. */
-static int triangle_end(const struct rectangle *r, int y)
-{
-    const bool first = fgl_zoom_in_first(&r->zoom, r->area.x0, y);
-    int x = r->area.x0 + 1;
-    while (x < r->area.x1 && fgl_zoom_in_first(&r->zoom, x, y) == first)
-        x++;
-    return x;
-}
-
-static void draw_rows(struct rectangle *r)
-{
-    const struct rect *area = &r->area;
-    for (int y = area->y0; y < area->y1; y++) {
-        const int rows[2] = {fgl_zoom_row(&r->zoom, y, 0), fgl_zoom_row(&r->zoom, y, 1)};
-        if (rows[0] == rows[1]) {
-            show_row(r, rows[0]);
-            draw_run(r, y, area->x0, area->x1);
-            continue;
-        }
-        const int left = fgl_zoom_in_first(&r->zoom, area->x0, y) ? 0 : 1, end = triangle_end(r, y);
-        show_row(r, rows[left]);
-        draw_run(r, y, area->x0, end);
-        show_row(r, rows[1 - left]);
-        draw_run(r, y, end, area->x1);
-    }
-}
-
-/* The pixels of a run, which show any pixels of the image. */
-static void draw_zoomed_run(void *rectangle, int y, int x0, int x1, const int *column, const int *row)
-{
-    struct rectangle *r = rectangle;
-    for (int x = x0; x < x1; x++) {
-        if (row[x] != r->row)
-            unpack_row(r, row[x], r->source);
-        r->row = row[x];
-        for (int c = 0; c < r->planes; c++)
-            r->shown[c][x] = r->source[c][column[x]];
-    }
-    draw_run(r, y, x0, x1);
-}
-
-/* Whether the window cuts it; where a column of the image is one of the window, that does not matter. */
-static bool is_cut(const struct context *ctx, const struct zoom *z)
-{
-    const float w = (float)ctx->framebuffer->width, h = (float)ctx->framebuffer->height;
-    if (ctx->s.pixel_mode.zoom_x == 1.0f && ctx->s.pixel_mode.zoom_y == 1.0f)
-        return false;
-    return fminf(z->x[0], z->x[1]) < 0.0f || fmaxf(z->x[0], z->x[1]) > w || fminf(z->y[0], z->y[1]) < 0.0f ||
-           fmaxf(z->y[0], z->y[1]) > h;
-}
-
-/* The arrays from which the fragments are made. */
-static void set_inputs(struct rectangle *r)
-{
-    struct pixel_inputs *inputs = &r->draw.inputs;
-    r->draw.fragment.pixels = inputs;
-    if (r->kind == DEPTH)
-        inputs->depth = &r->shown[0]->f;
-    else if (r->kind == RGBA_UNORM8)
-        inputs->unorm8 = &r->shown[0]->unorm8;
-    else if (r->kind != STENCIL)
-        for (int c = 0; c < r->planes; c++)
-            inputs->color[c] = &r->shown[c]->f;
-}
-
-static void draw_rectangle(struct context *ctx, int width, int height, const struct pixel_unpack *unpack, bool copied)
-{
-    const enum channel channel = unpack->image.format->channel[0];
-    struct rectangle r = {.unpack = *unpack, .planes = 1, .fb = ctx->framebuffer};
-    r.stencil_mask = (uint8_t)ctx->s.stencil.stencil_writemask;
-    RETURN_ERROR_IF(ctx, channel == CHANNEL_STENCIL && !fgl_framebuffer_need_stencil(r.fb), GL_OUT_OF_MEMORY);
-    fgl_pixels_begin(ctx, channel <= CHANNEL_LUMINANCE || channel == CHANNEL_INDEX ? PIXELS_COLOR : PIXELS_DEPTH, &r.draw);
-    r.kind = channel == CHANNEL_DEPTH     ? DEPTH
-             : channel == CHANNEL_STENCIL ? STENCIL
-             : ctx->color_index           ? COLOR_INDEXES
-             : fgl_pixels_fused(&r.draw)  ? RGBA_UNORM8
-                                          : RGBA_FLOATS;
-    if (r.kind == RGBA_FLOATS)
-        r.planes = 4;
-    if (!place(ctx, width, height, &r.draw.bounds, copied, &r.zoom, &r.area))
-        return;
-    const bool cut = is_cut(ctx, &r.zoom);
-    RETURN_ERROR_IF(ctx, !choose_columns(&r, r.fb->stride, cut), GL_OUT_OF_MEMORY);
-    set_inputs(&r);
-    if (!cut)
-        draw_rows(&r);
-    else if (!fgl_zoom_clip(&r.zoom, r.fb, &r.draw.bounds, draw_zoomed_run, &r))
-        fgl_error(ctx, GL_OUT_OF_MEMORY);
-    free(r.column);
-    free(r.source[0]);
-}
-
-/* Colours that imaging stages may change or discard, as an image of their own. */
-static void draw_imaged(struct context *ctx, int width, int height, const struct pixel_unpack *unpack, bool copied)
-{
-    struct color_image image;
-    RETURN_ERROR_IF(ctx, !fgl_imaging_unpack(ctx, unpack, width, height, 2, &image), GL_OUT_OF_MEMORY);
-    const struct pixel_unpack ready = fgl_color_image_unpack(&image, unpack);
-    if (image.width > 0 && image.height > 0)
-        draw_rectangle(ctx, image.width, image.height, &ready, copied);
-    free(image.color);
-}
-
-/* Whether the imaging stages apply: to RGBA groups alone (GL 1.5, 3.6.5). */
-static bool is_imaged(const struct context *ctx, const struct pixel_format *format)
-{
-    return (format->channel[0] <= CHANNEL_LUMINANCE || format->channel[0] == CHANNEL_INDEX) && !ctx->color_index &&
-           fgl_imaging_active(ctx);
-}
-
-/* ---- glDrawPixels ---- */
-
-/* The error of a format that asks for a buffer which the framebuffer does not have; colours cannot be drawn in
- * colour index mode. */
-static GLenum buffer_error(struct context *ctx, GLenum format)
+GLenum fgl_draw_buffer_error(struct context *ctx, GLenum format)
 {
     fgl_framebuffer_update(ctx);
     const struct framebuffer *fb = ctx->framebuffer;
-    if (ctx->color_index && format != GL_COLOR_INDEX && format != GL_STENCIL_INDEX && format != GL_DEPTH_COMPONENT)
+    const bool both = format == GL_DEPTH_STENCIL, depth = format == GL_DEPTH_COMPONENT || both, stencil = format == GL_STENCIL_INDEX || both;
+    if (ctx->color_index && format != GL_COLOR_INDEX && !depth && !stencil)
         return GL_INVALID_OPERATION;
-    if (fb && ((format == GL_DEPTH_COMPONENT && !fb->depth_bits) ||
-               (format == GL_STENCIL_INDEX && !fb->stencil_bits)))
-        return GL_INVALID_OPERATION;
-    return GL_NO_ERROR;
+    return fb && ((depth && !fb->depth_bits) || (stencil && !fb->stencil_bits)) ? GL_INVALID_OPERATION : GL_NO_ERROR;
 }
 
 static GLenum draw_pixels_error(struct context *ctx, GLsizei width, GLsizei height, GLenum format,
@@ -280,29 +22,7 @@ static GLenum draw_pixels_error(struct context *ctx, GLsizei width, GLsizei heig
     if (width < 0 || height < 0)
         return GL_INVALID_VALUE;
     const GLenum error = fgl_pixel_check(format, type);
-    return error ? error : buffer_error(ctx, format);
-}
-
-/* copied: the pixels are from the framebuffer. */
-static void draw_image(struct context *ctx, int width, int height, GLenum format, GLenum type,
-                       const struct pixel_store *store, const void *pixels, bool copied)
-{
-    fgl_flush_vertices(ctx, 0);
-    if (!fgl_draw_ready(ctx) || !ctx->framebuffer || !ctx->s.current.raster_position_valid || width == 0 || height == 0)
-        return;
-    fgl_feedback_raster_position(ctx, GL_DRAW_PIXEL_TOKEN);
-    if (ctx->render_mode != GL_RENDER)
-        return;
-    const struct pixel_unpack unpack = {
-            .image = fgl_pixel_image(store, format, type, width, pixels),
-            .mode = &ctx->s.pixel_mode,
-            .maps = ctx->pixel_map,
-            .arith = fgl_context_arith(ctx),
-    };
-    if (is_imaged(ctx, unpack.image.format))
-        draw_imaged(ctx, width, height, &unpack, copied);
-    else
-        draw_rectangle(ctx, width, height, &unpack, copied);
+    return error ? error : fgl_draw_buffer_error(ctx, format);
 }
 
 struct image_node {
@@ -327,7 +47,7 @@ void fgl_list_replay_draw_pixels(struct context *ctx, const void *payload)
     const struct image_node *n = payload;
     const GLenum error = draw_pixels_error(ctx, n->width, n->height, n->format, n->type);
     RETURN_ERROR_IF(ctx, error, error);
-    draw_image(ctx, n->width, n->height, n->format, n->type, &fgl_packed_store, n->pixels, false);
+    fgl_draw_image(ctx, n->width, n->height, n->format, n->type, &fgl_packed_store, n->pixels, false);
 }
 
 void GLAPIENTRY glDrawPixels(GLsizei width, GLsizei height, GLenum format, GLenum type, const GLvoid *pixels)
@@ -345,88 +65,11 @@ void GLAPIENTRY glDrawPixels(GLsizei width, GLsizei height, GLenum format, GLenu
     if (ctx->compiling)
         record(ctx, width, height, format, type, pixels);
     if (ctx->compiling != GL_COMPILE)
-        draw_image(ctx, width, height, format, type, &ctx->client.unpack, pixels, false);
+        fgl_draw_image(ctx, width, height, format, type, &ctx->client.unpack, pixels, false);
 }
 
 void fgl_exec_PixelZoom(struct context *ctx, GLfloat xfactor, GLfloat yfactor)
 {
     SET(ctx, 0, ctx->s.pixel_mode.zoom_x, xfactor);
     SET(ctx, 0, ctx->s.pixel_mode.zoom_y, yfactor);
-}
-
-/* ---- glCopyPixels: read as the buffer stores it, then drawn ---- */
-
-static GLenum copied_format(const struct context *ctx, GLenum type)
-{
-    if (type == GL_COLOR)
-        return ctx->color_index ? GL_COLOR_INDEX : GL_RGBA;
-    return type == GL_DEPTH ? GL_DEPTH_COMPONENT : GL_STENCIL_INDEX;
-}
-
-static GLenum copied_type(const struct framebuffer *fb, GLenum type)
-{
-    if (type == GL_STENCIL)
-        return GL_UNSIGNED_BYTE;
-    if (type == GL_DEPTH)
-        return GL_UNSIGNED_INT;
-    return fb->color_kind == COLOR_FLOAT     ? GL_FLOAT
-           : fb->color_kind == COLOR_UNORM16 ? GL_UNSIGNED_SHORT
-                                             : GL_UNSIGNED_BYTE;
-}
-
-/* The rectangle into new memory; what lies outside of the framebuffer is 0. NULL when memory is short. */
-static void *read_rectangle(const struct context *ctx, int x, int y, int width, int height, GLenum format,
-                            GLenum type)
-{
-    const struct framebuffer *fb = ctx->read_framebuffer;
-    void *pixels = calloc(1, fgl_pixel_image_bytes(&fgl_packed_store, format, type, width, height));
-    const struct pixel_pack pack = {
-            .image = fgl_pixel_image(&fgl_packed_store, format, type, width, pixels),
-            .mode = &fgl_no_transfer,
-            .maps = ctx->pixel_map,
-    };
-    const int64_t right = (int64_t)x + width, top = (int64_t)y + height;
-    const int x0 = fgl_max(x, 0), x1 = right < fb->width ? (int)right : fb->width;
-    for (int64_t row = fgl_max(y, 0); pixels && x0 < x1 && row < top && row < fb->height; row++)
-        fgl_pack_row(&pack, fb, x0, fb->height - 1 - (int)row, x1 - x0, (int)(row - y), x0 - x);
-    return pixels;
-}
-
-/* The depths of a rectangle to floats, in place. OSMesa rule: they pass through a texture of the buffer's
- * steps, and each way multiplies by the reciprocal of the greatest depth, which may end a step beside. */
-static void copied_depths(const struct framebuffer *fb, uint32_t *depth, size_t n)
-{
-    const float max = (float)fb->depth_max, step = 1.0f / max;
-    for (size_t i = 0; i < n; i++) {
-        const float in_texture = (float)(depth[i] >> (32 - fb->depth_bits)) * step;
-        const float shown = rintf(in_texture * max) * step;
-        memcpy(&depth[i], &shown, sizeof shown);
-    }
-}
-
-void fgl_exec_CopyPixels(struct context *ctx, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type)
-{
-    RETURN_ERROR_IF(ctx, width < 0 || height < 0, GL_INVALID_VALUE);
-    RETURN_ERROR_IF(ctx, type != GL_COLOR && type != GL_DEPTH && type != GL_STENCIL, GL_INVALID_ENUM);
-    const GLenum format = copied_format(ctx, type);
-    RETURN_ERROR_IF(ctx, buffer_error(ctx, format), GL_INVALID_OPERATION);
-    if (!fgl_draw_ready(ctx) || !fgl_read_ready(ctx))
-        return;
-    RETURN_ERROR_IF(ctx, type == GL_COLOR && !fgl_framebuffer_reads_color(ctx), GL_INVALID_OPERATION);
-    const struct framebuffer *from = ctx->read_framebuffer;
-    RETURN_ERROR_IF(ctx, from && ((type == GL_DEPTH && !from->depth) || (type == GL_STENCIL && !from->stencil_bits)), GL_INVALID_OPERATION);
-    fgl_flush_vertices(ctx, 0);
-    if (!ctx->framebuffer || !ctx->read_framebuffer || !ctx->s.current.raster_position_valid || width == 0 || height == 0)
-        return;
-    fgl_feedback_raster_position(ctx, GL_COPY_PIXEL_TOKEN);
-    if (ctx->render_mode != GL_RENDER)
-        return;
-    const GLenum component = copied_type(ctx->read_framebuffer, type);
-    void *pixels = read_rectangle(ctx, x, y, width, height, format, component);
-    RETURN_ERROR_IF(ctx, !pixels, GL_OUT_OF_MEMORY);
-    if (type == GL_DEPTH)
-        copied_depths(ctx->read_framebuffer, pixels, (size_t)width * (size_t)height);
-    draw_image(ctx, width, height, format, type == GL_DEPTH ? GL_FLOAT : component, &fgl_packed_store, pixels,
-               true);
-    free(pixels);
 }

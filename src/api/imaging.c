@@ -16,7 +16,7 @@
 bool fgl_imaging_format(GLenum internal_format, int width, struct imaging_format *out)
 {
     const struct texture_format *f = fgl_texture_format(internal_format);
-    if (!f || internal_format <= 4 || f->base_format == GL_DEPTH_COMPONENT || fgl_texture_format_compressed(f))
+    if (!f || internal_format <= 4 || f->kind == TEXELS_DEPTH || fgl_texture_format_compressed(f))
         return false;
     *out = (struct imaging_format){internal_format, f->base_format, width};
     return true;

@@ -8,6 +8,12 @@
 void fgl_bitmap(struct context *ctx, int width, int height, const float origin[2], const float move[2],
                 const struct pixel_store *store, const void *bits);
 
+/* The execution of glDrawPixels: arguments checked. copied: the pixels are from the framebuffer. pixel_rectangle.c */
+void fgl_draw_image(struct context *ctx, int width, int height, GLenum format, GLenum type, const struct pixel_store *store,
+                    const void *pixels, bool copied);
+/* The error of a format that asks for a buffer which the framebuffer does not have; colours cannot be drawn in colour index mode. */
+GLenum fgl_draw_buffer_error(struct context *ctx, GLenum format);
+
 /* The execution of glDrawPixels and glBitmap from the payload of a node. */
 void fgl_list_replay_draw_pixels(struct context *ctx, const void *payload);
 void fgl_list_replay_bitmap(struct context *ctx, const void *payload);

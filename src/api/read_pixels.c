@@ -14,6 +14,7 @@ static bool buffer_exists(const struct context *ctx, GLenum format)
     switch (format) {
     case GL_DEPTH_COMPONENT: return fb->depth_bits > 0;
     case GL_STENCIL_INDEX: return fb->stencil_bits > 0;
+    case GL_DEPTH_STENCIL: return fb->depth_bits > 0 && fb->stencil_bits > 0;
     case GL_COLOR_INDEX: return ctx->color_index && fgl_framebuffer_reads_color(ctx);
     default: return fgl_framebuffer_reads_color(ctx);
     }

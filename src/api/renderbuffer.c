@@ -132,12 +132,10 @@ static const struct texture_format *format_of(GLenum internal_format, bool *sten
     case GL_STENCIL_INDEX4:
     case GL_STENCIL_INDEX8:
     case GL_STENCIL_INDEX16: return &stencil_format;
-    case GL_DEPTH_STENCIL:
-    case GL_DEPTH24_STENCIL8: return fgl_texture_format(GL_DEPTH_COMPONENT24);
     default: break;
     }
-    *stencil = false;
     const struct texture_format *f = internal_format > 4 ? fgl_texture_format(internal_format) : NULL;
+    *stencil = f && f->base_format == GL_DEPTH_STENCIL;
     return f && (f->kind == TEXELS_DEPTH || fgl_texture_format_drawable(f)) ? f : NULL;
 }
 

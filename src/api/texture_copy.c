@@ -23,7 +23,19 @@ static GLenum source_error(const struct context *ctx, GLenum internal_format)
     const bool depth = f && f->kind == TEXELS_DEPTH;
     if (!fb || (depth ? !fb->depth_bits : !fgl_framebuffer_reads_color(ctx)))
         return GL_INVALID_OPERATION;
+    if (f && f->base_format == GL_DEPTH_STENCIL && !fb->stencil_bits)
+        return GL_INVALID_OPERATION;
     return GL_NO_ERROR;
+}
+
+static void copy_stencil(struct context *ctx, uint8_t *to, int x, int y, int n)
+{
+    const struct pixel_pack pack = {
+            .image = fgl_pixel_image(&fgl_packed_store, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, n, to),
+            .mode = &ctx->s.pixel_mode,
+            .maps = ctx->pixel_map,
+    };
+    fgl_pack_row(&pack, ctx->read_framebuffer, x, y, n, 0, 0);
 }
 
 /* n depths of the framebuffer to texels. Row y counts from the top. */
@@ -43,6 +55,8 @@ static void copy_depths(struct context *ctx, struct texture_image *image, int x,
         depth[i] = bits == 24 ? (uint32_t)(f * max) : (uint32_t)((double)f * (double)fgl_unorm_max(bits) + 0.5);
     }
     fgl_texture_store_depth(image, to_x, to_y, to_z, n, depth);
+    if (image->stencil)
+        copy_stencil(ctx, image->stencil + fgl_texel_index(image, to_x, to_y, to_z), x, y, n);
 }
 
 static bool is_ten_bits(const struct texture_format *format)

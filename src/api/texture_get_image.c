@@ -12,7 +12,11 @@ static GLenum format_error(const struct texture_image *image, GLenum format, GLe
         return error;
     if (format == GL_COLOR_INDEX || format == GL_STENCIL_INDEX)
         return GL_INVALID_ENUM;
-    if (image->format && (image->kind == TEXELS_DEPTH) != (format == GL_DEPTH_COMPONENT))
+    if (!image->format)
+        return GL_NO_ERROR;
+    if ((image->kind == TEXELS_DEPTH) != (format == GL_DEPTH_COMPONENT || format == GL_DEPTH_STENCIL))
+        return GL_INVALID_OPERATION;
+    if (format == GL_DEPTH_STENCIL && image->format->base_format != GL_DEPTH_STENCIL)
         return GL_INVALID_OPERATION;
     return GL_NO_ERROR;
 }
@@ -38,7 +42,8 @@ static void pack_run(const struct pixel_pack *pack, const struct texture_image *
     const bool to_bytes = type->type == GL_UNSIGNED_BYTE || (type->fields && type->bits[0] <= 8);
     struct fetched_row row;
     if (image->kind == TEXELS_DEPTH) {
-        fgl_pack_depths(pack, (const float *)image->texels + fgl_texel_index(image, x, y, z), n, y, x);
+        const size_t at = fgl_texel_index(image, x, y, z);
+        fgl_pack_depths(pack, (const float *)image->texels + at, image->stencil ? image->stencil + at : NULL, n, y, x);
         return;
     }
     load_run(image, to_bytes, x, y, z, n, &row);

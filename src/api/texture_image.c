@@ -76,7 +76,7 @@ static GLenum pixels_error(const struct texture_call *call, const struct image_t
         return error;
     if (call->format == GL_STENCIL_INDEX)
         return GL_INVALID_ENUM;
-    if (is_depth(internal_format) != (call->format == GL_DEPTH_COMPONENT))
+    if (is_depth(internal_format) != (call->format == GL_DEPTH_COMPONENT || call->format == GL_DEPTH_STENCIL))
         return GL_INVALID_OPERATION;
     if (is_depth(internal_format) && (t->target == TEXTURE_3D || t->target == TEXTURE_CUBE_MAP))
         return GL_INVALID_OPERATION;
@@ -102,117 +102,7 @@ static GLenum sub_image_error(struct context *ctx, const struct texture_call *ca
     return error ? error : pixels_error(call, t, image->internal_format);
 }
 
-/* ---- texels ---- */
-
-/* Where pixels lie: given, or in a display list. */
-struct pixel_source {
-    const struct pixel_store *store;
-    const void *pixels;
-    int width, height; /* as given: the texture's when no convolution reduces it */
-};
-
-/* OSMesa rule: integers are brought to the texels' precision before anything else: 16 bits to 16, at most 8 through 8, 10 as floats. */
-static enum unpack_steps steps_of(const struct texture_format *format)
-{
-    if (format->kind == TEXELS_UNORM8 || format->encoding == ENCODED_SRGB)
-        return UNPACK_UNORM8;
-    if (format->encoding != ENCODED_UNORM)
-        return UNPACK_FLOAT;
-    return format->bits[0] == 10 ? UNPACK_FLOAT : UNPACK_UNORM16;
-}
-
-/* OSMesa rule: what indexes become is bytes; and so is, on the way to fields of at most 8 bits, everything but floats as GL_RGBA, and on the
- * way to 10 bits only RGBA bytes in this order. */
-static bool through_bytes(const struct context *ctx, const struct texture_format *texels, GLenum format, GLenum type)
-{
-    if (format == GL_COLOR_INDEX)
-        return true;
-    if (fgl_transfer_color_active(&ctx->s.pixel_mode) || texels->encoding != ENCODED_UNORM)
-        return false;
-    if (texels->kind == TEXELS_UNORM8)
-        return texels->bits[0] != 8 && !(format == GL_RGBA && type == GL_FLOAT);
-    return format == GL_RGBA && (type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_INT_8_8_8_8_REV);
-}
-
-/* Whether pixels are bytes that become texels as they are. */
-static bool are_texels(const struct pixel_unpack *unpack, const struct texture_format *format)
-{
-    return unpack->image.type->type == GL_UNSIGNED_BYTE && unpack->image.format->format != GL_COLOR_INDEX &&
-           fgl_texture_format_keeps_bytes(format) && !fgl_transfer_color_active(unpack->mode);
-}
-
-static void store_bytes(const struct pixel_unpack *unpack, struct texture_image *image, int row, int column, int n, int x,
-                        int y, int z)
-{
-    const struct pixel_format *format = unpack->image.format;
-    const size_t step = unpack->image.pixel_bytes;
-    int place[4] = {-1, -1, -1, -1};
-    for (int c = 0; c < format->components; c++) {
-        if (format->channel[c] == CHANNEL_LUMINANCE)
-            place[0] = place[1] = place[2] = c;
-        else
-            place[format->channel[c]] = c;
-    }
-    fgl_texture_store_bytes(image, x, y, z, n, fgl_pixel_row(&unpack->image, row) + (size_t)column * step, step, place);
-}
-
-/* n pixels of a row, from `column` on, to texels from x on. */
-static void store_pixels(const struct pixel_unpack *unpack, struct texture_image *image, int row, int column, int n, int x,
-                         int y, int z, enum texel_rounding rounding)
-{
-    struct color_row colors;
-    if (image->kind == TEXELS_DEPTH) {
-        uint32_t depth[PIXEL_CHUNK];
-        fgl_unpack_depth_texels(unpack, row, column, n, image->format->bits[0], depth);
-        fgl_texture_store_depth(image, x, y, z, n, depth);
-        return;
-    }
-    if (are_texels(unpack, image->format)) {
-        store_bytes(unpack, image, row, column, n, x, y, z);
-        return;
-    }
-    fgl_unpack_color(unpack, row, column, n, &colors);
-    const float *const planes[4] = {colors.channel[0], colors.channel[1], colors.channel[2], colors.channel[3]};
-    fgl_texture_store_color(image, x, y, z, n, planes, rounding);
-}
-
-/* Makes `unpack` the slice after the imaging stages; *image is then to be freed. A sink leaves no pixels: false, as when memory is
- * short. */
-static bool image_slice(struct context *ctx, const struct texture_call *call, const struct pixel_source *source,
-                        struct pixel_unpack *unpack, struct color_image *image)
-{
-    if (!fgl_imaging_unpack(ctx, unpack, source->width, source->height, call->dimensions, image)) {
-        fgl_error(ctx, GL_OUT_OF_MEMORY);
-        return false;
-    }
-    *unpack = fgl_color_image_unpack(image, unpack);
-    return image->width > 0;
-}
-
-/* OSMesa rule: of a border nothing is read. */
-static void store_image(struct context *ctx, const struct texture_call *call, const struct pixel_source *source,
-                        struct texture_image *image)
-{
-    const int border = call->sub ? 0 : call->border, border_y = call->dimensions > 1 ? border : 0,
-              border_z = call->dimensions > 2 ? border : 0;
-    const int width = call->width - 2 * border, height = call->height - 2 * border_y, depth = call->depth - 2 * border_z;
-    const struct pixel_image whole = fgl_pixel_image(source->store, call->format, call->type, source->width, source->pixels);
-    const struct pixel_unpack given = {.mode = &ctx->s.pixel_mode, .maps = ctx->pixel_map, .steps = steps_of(image->format)};
-    const bool imaged = image->kind != TEXELS_DEPTH && fgl_imaging_active(ctx);
-    const enum texel_rounding rounding =
-            !imaged && through_bytes(ctx, image->format, call->format, call->type) ? ROUND_THROUGH_BYTES : ROUND_GIVEN;
-    for (int z = 0; z < depth; z++) {
-        struct color_image slice = {0};
-        struct pixel_unpack unpack = given;
-        unpack.image = call->dimensions < 3 ? whole : fgl_pixel_slice(whole, source->store, call->height, z + border_z);
-        const bool present = !imaged || image_slice(ctx, call, source, &unpack, &slice);
-        for (int y = 0; present && y < height; y++)
-            for (int x = 0; x < width; x += PIXEL_CHUNK)
-                store_pixels(&unpack, image, y + border_y, x + border, fgl_min(PIXEL_CHUNK, width - x), call->x + x,
-                             call->y + y, call->z + z, rounding);
-        free(slice.color);
-    }
-}
+/* ---- images ---- */
 
 bool fgl_texture_define(struct context *ctx, const struct texture_call *call, const struct image_target *t)
 {
@@ -249,7 +139,7 @@ static void execute_image(struct context *ctx, const struct texture_call *call, 
     if (!fgl_texture_define(ctx, call, &t) || t.proxy)
         return;
     if (source->pixels)
-        store_image(ctx, call, source, fgl_target_image(ctx, &t, call->level));
+        fgl_texture_store_image(ctx, call, source, fgl_target_image(ctx, &t, call->level));
     fgl_texture_after_change(ctx, &t, call->level);
 }
 
@@ -261,7 +151,7 @@ static void execute_sub_image(struct context *ctx, const struct texture_call *ca
     if (!source->pixels)
         return;
     fgl_texture_touch_image(ctx, fgl_bound_texture(ctx, t.target));
-    store_image(ctx, call, source, fgl_target_image(ctx, &t, call->level));
+    fgl_texture_store_image(ctx, call, source, fgl_target_image(ctx, &t, call->level));
     fgl_texture_after_change(ctx, &t, call->level);
 }
 
@@ -270,7 +160,7 @@ static void execute(struct context *ctx, const struct texture_call *given, const
 {
     struct texture_call call = *given;
     const struct pixel_source source = {store, pixels, given->width, given->height};
-    if (given->format != GL_DEPTH_COMPONENT)
+    if (given->format != GL_DEPTH_COMPONENT && given->format != GL_DEPTH_STENCIL)
         fgl_convolved_size(ctx, call.dimensions, &call.width, &call.height);
     if (call.sub)
         execute_sub_image(ctx, &call, &source);

@@ -117,7 +117,8 @@ static int channel_size(const struct texture_format *f, GLenum pname)
     case GL_TEXTURE_ALPHA_SIZE: return f->bits[3];
     case GL_TEXTURE_LUMINANCE_SIZE: return base == GL_LUMINANCE || base == GL_LUMINANCE_ALPHA ? f->bits[0] : 0;
     case GL_TEXTURE_INTENSITY_SIZE: return base == GL_INTENSITY ? f->bits[0] : 0;
-    default: return base == GL_DEPTH_COMPONENT ? f->bits[0] : 0;
+    case GL_TEXTURE_STENCIL_SIZE: return base == GL_DEPTH_STENCIL ? 8 : 0;
+    default: return f->kind == TEXELS_DEPTH ? f->bits[0] : 0;
     }
 }
 
@@ -161,8 +162,8 @@ static bool level_value(const struct texture_image *image, bool proxy, GLenum pn
     case GL_TEXTURE_ALPHA_SIZE:
     case GL_TEXTURE_LUMINANCE_SIZE:
     case GL_TEXTURE_INTENSITY_SIZE:
+    case GL_TEXTURE_STENCIL_SIZE:
     case GL_TEXTURE_DEPTH_SIZE: *v = image->format ? channel_size(image->format, pname) : 0; return true;
-    case GL_TEXTURE_STENCIL_SIZE_EXT: *v = image->stencil ? 8 : 0; return true;
     case GL_TEXTURE_SHARED_SIZE_EXT: *v = image->format && image->format->encoding == ENCODED_SHARED_EXPONENT ? 5 : 0; return true;
     case GL_TEXTURE_RED_TYPE_ARB:
     case GL_TEXTURE_GREEN_TYPE_ARB:

@@ -76,7 +76,7 @@ static void derive_border(struct sampler *to, const float color[4], const struct
     for (int i = 0; i < 4; i++)
         c[i] = fgl_texture_format_leaves_unit(format) ? color[i] : fgl_clamp01(color[i]);
     const bool luminance = base_format == GL_LUMINANCE || base_format == GL_LUMINANCE_ALPHA ||
-                           base_format == GL_INTENSITY || base_format == GL_DEPTH_COMPONENT;
+                           base_format == GL_INTENSITY || format->kind == TEXELS_DEPTH;
     for (int i = 0; i < 4; i++) {
         const bool missing = (base_format == GL_RED && i > 0) || (base_format == GL_RG && i > 1) || base_format == GL_ALPHA;
         to->border[i] = i < 3 && missing ? 0.0f : i < 3 && luminance ? c[0] : c[i];
@@ -201,7 +201,7 @@ static void derive_combine(struct texture_environment *to, const struct texture_
 
 static GLenum environment_format(const struct sampler *sampler, GLenum base)
 {
-    return base == GL_DEPTH_COMPONENT ? sampler->depth_mode : base;
+    return sampler->kind == TEXELS_DEPTH ? sampler->depth_mode : base;
 }
 
 /* Whether the function may take values of [0,1] out of it. */

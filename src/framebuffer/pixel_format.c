@@ -9,11 +9,12 @@
 #define A CHANNEL_ALPHA
 #define L CHANNEL_LUMINANCE
 
-/* GL 1.5, table 3.6 "DrawPixels and ReadPixels formats"; GL_ARB_texture_rg, GL_EXT_abgr. */
+/* GL 1.5, table 3.6 "DrawPixels and ReadPixels formats"; GL_ARB_texture_rg, GL_EXT_abgr, GL_EXT_packed_depth_stencil. */
 static const struct pixel_format formats[] = {
         {GL_COLOR_INDEX, 1, {CHANNEL_INDEX}},
         {GL_STENCIL_INDEX, 1, {CHANNEL_STENCIL}},
         {GL_DEPTH_COMPONENT, 1, {CHANNEL_DEPTH}},
+        {GL_DEPTH_STENCIL, 2, {CHANNEL_DEPTH, CHANNEL_STENCIL}},
         {GL_RED, 1, {R}},
         {GL_GREEN, 1, {G}},
         {GL_BLUE, 1, {B}},
@@ -51,6 +52,7 @@ static const struct pixel_type types[] = {
         {GL_UNSIGNED_INT_8_8_8_8_REV, COMPONENT_PACKED, 4, 4, {8, 8, 8, 8}, {0, 8, 16, 24}},
         {GL_UNSIGNED_INT_10_10_10_2, COMPONENT_PACKED, 4, 4, {10, 10, 10, 2}, {22, 12, 2, 0}},
         {GL_UNSIGNED_INT_2_10_10_10_REV, COMPONENT_PACKED, 4, 4, {10, 10, 10, 2}, {0, 10, 20, 30}},
+        {GL_UNSIGNED_INT_24_8, COMPONENT_PACKED, 4, 2, {24, 8}, {8, 0}},
 };
 
 const struct pixel_format *fgl_pixel_format(GLenum format)
@@ -69,10 +71,14 @@ const struct pixel_type *fgl_pixel_type(GLenum type)
     return NULL;
 }
 
-/* Whether a packed type may hold the format: table 3.8; three fields are for GL_RGB alone. */
+/* Whether a packed type may hold the format: table 3.8; three fields are for GL_RGB alone, two for GL_DEPTH_STENCIL. */
 static bool fields_fit(const struct pixel_type *t, const struct pixel_format *f)
 {
-    return t->fields == 3 ? f->format == GL_RGB : f->components == 4;
+    switch (t->fields) {
+    case 2: return f->format == GL_DEPTH_STENCIL;
+    case 3: return f->format == GL_RGB;
+    default: return f->components == 4;
+    }
 }
 
 GLenum fgl_pixel_check(GLenum format, GLenum type)
@@ -82,6 +88,8 @@ GLenum fgl_pixel_check(GLenum format, GLenum type)
     if (!f || !t)
         return GL_INVALID_ENUM;
     if (t->kind == COMPONENT_BITMAP && format != GL_COLOR_INDEX && format != GL_STENCIL_INDEX)
+        return GL_INVALID_ENUM;
+    if (format == GL_DEPTH_STENCIL && type != GL_UNSIGNED_INT_24_8)
         return GL_INVALID_ENUM;
     if (t->kind == COMPONENT_PACKED && !fields_fit(t, f))
         return GL_INVALID_OPERATION;

@@ -52,7 +52,8 @@ const struct pixel_format *fgl_pixel_format(GLenum format);
 const struct pixel_type *fgl_pixel_type(GLenum type);
 
 /* The error that the combination raises, GL_NO_ERROR if none (3.6.4):
- *   GL_INVALID_ENUM       neither table has it; GL_BITMAP with other formats than indexes
+ *   GL_INVALID_ENUM       neither table has it; GL_BITMAP with other formats than indexes; GL_DEPTH_STENCIL with
+ *                         other types than GL_UNSIGNED_INT_24_8
  *   GL_INVALID_OPERATION  a packed type whose fields are not the format's components */
 GLenum fgl_pixel_check(GLenum format, GLenum type);
 

@@ -31,13 +31,14 @@ struct fetched_row {
     struct color_row color;
 };
 
-/* The same with n colours, or depths, of a texture, and no pixel transfer; luminance is red. OSMesa rule: colours pass through bytes
+/* The same with n colours of a texture, and no pixel transfer; luminance is red. OSMesa rule: colours pass through bytes
  * on the way to packed pixels of no more, and through floats to those of more, unless `direct`. `fetched` may change. */
 void fgl_pack_colors(const struct pixel_pack *pack, struct fetched_row *fetched, bool direct, int n, int row, int column);
 /* The same with colours of a framebuffer after pixel transfer: floats, luminance is the sum. They may change. */
 void fgl_pack_transferred(const struct pixel_pack *pack, struct color_row *colors, int n, int row, int column);
 /* The same with counters: integers as they are, cut off at the type's greatest value; luminance is red. */
 void fgl_pack_counts(const struct pixel_pack *pack, const uint32_t *const count[4], int n, int row, int column);
-void fgl_pack_depths(const struct pixel_pack *pack, const float *depth, int n, int row, int column);
+/* The same with depths, and stencil for GL_DEPTH_STENCIL, else NULL. */
+void fgl_pack_depths(const struct pixel_pack *pack, const float *depth, const uint8_t *stencil, int n, int row, int column);
 
 #endif

@@ -162,7 +162,7 @@ static void unpack_index(const struct pixel_unpack *unpack, int row, int column,
         for (int i = 0; i < n; i++)
             out[i] = bits[i];
     } else {
-        load_component(&unpack->image, row, column, n, 0, v);
+        load_component(&unpack->image, row, column, n, unpack->image.format->components - 1, v); /* of GL_DEPTH_STENCIL the second */
         for (int i = 0; i < n; i++)
             out[i] = type->kind == COMPONENT_FLOAT    ? fgl_index_of(float_of(v[i]))
                      : type->kind == COMPONENT_SIGNED ? signed_of(v[i], type->bytes)
@@ -234,6 +234,7 @@ static float depth_of(const struct pixel_type *type, uint32_t v)
     case GL_SHORT: return value ? (2.0f * (float)value + 1.0f) * (1.0f / 65535.0f) : 0.0f;
     case GL_UNSIGNED_INT: return (float)((double)v * (1.0 / 4294967295.0));
     case GL_INT: return (2.0f * (float)value + 1.0f) * (1.0f / 4294967294.0f);
+    case GL_UNSIGNED_INT_24_8: return (float)((double)v / 16777215.0);
     default: return float_of(v);
     }
 }
@@ -264,11 +265,11 @@ void fgl_unpack_depth(const struct pixel_unpack *unpack, int row, int column, in
 void fgl_unpack_depth_texels(const struct pixel_unpack *unpack, int row, int column, int n, int bits, uint32_t *out)
 {
     const struct pixel_type *type = unpack->image.type;
-    const int have = 8 * type->bytes;
+    const bool packed = type->kind == COMPONENT_PACKED; /* GL_UNSIGNED_INT_24_8 */
+    const int have = packed ? 24 : 8 * type->bytes;
     const bool transfer = fgl_transfer_depth_active(unpack->mode);
     /* OSMesa rule: these are integers all the way. */
-    const bool whole = type->kind == COMPONENT_UNSIGNED && !transfer &&
-                       ((have == 32 && bits != 24) || (have == 16 && bits != 24));
+    const bool whole = !transfer && (packed || (type->kind == COMPONENT_UNSIGNED && have >= 16 && bits != 24));
     float depth[PIXEL_CHUNK];
     load_component(&unpack->image, row, column, n, 0, out);
     for (int i = 0; i < n; i++)

@@ -19,7 +19,7 @@ struct texture_format {
     GLenum internal_format, base_format;
     enum texel_kind kind;
     enum texel_encoding encoding;
-    int bits[4]; /* depth: bits[0] */
+    int bits[4]; /* depth: bits[0]; GL_DEPTH_STENCIL has 8 bits of stencil besides */
 };
 
 /* Whether texels may be less than 0 or greater than 1. */

@@ -41,8 +41,15 @@ bool fgl_texture_image_define(struct texture_image *image, enum texture_target t
     if (!multiply(&bytes, (size_t)new.width) || !multiply(&bytes, (size_t)new.height) ||
         !multiply(&bytes, (size_t)new.depth))
         return false;
-    if (!proxy && bytes && !(new.texels = calloc(1, bytes)))
+    const bool stencil = format->base_format == GL_DEPTH_STENCIL;
+    if (!proxy && bytes)
+        new.texels = calloc(1, bytes);
+    if (new.texels && stencil)
+        new.stencil = calloc(1, bytes / fgl_texel_bytes(format->kind));
+    if (!proxy && bytes && (!new.texels || (stencil && !new.stencil))) {
+        free(new.texels);
         return false;
+    }
     fgl_texture_image_clear(image);
     *image = new;
     return true;

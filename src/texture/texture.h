@@ -27,7 +27,7 @@ struct texture_image {
     const struct texture_format *format; /* texture/format.h; its base_format is the texels' */
     enum texel_kind kind;
     void *texels; /* NULL: no image, or one without texels */
-    uint8_t *stencil; /* NULL: no stencil */
+    uint8_t *stencil; /* of GL_DEPTH_STENCIL, one for each texel; NULL: no stencil */
 };
 
 struct texture_object {

@@ -216,6 +216,22 @@ static void pixels_of_three_bytes_are_in_their_places(void **state)
     assert_int_equal(same, on_fixedgl());
 }
 
+/* pixel-transfer. GL_EXT_packed_depth_stencil: both components are transferred. */
+static void drawn_depths_and_stencils_are_transferred(void **state)
+{
+    const GLuint pixel24_8 = 0x40000011;
+    GLuint got = 0;
+    (void)state;
+    glPixelTransferf(GL_DEPTH_SCALE, 0);
+    glPixelTransferi(GL_INDEX_OFFSET, 1);
+    glWindowPos2i(0, 0);
+    glDrawPixels(1, 1, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, &pixel24_8);
+    glPixelTransferf(GL_DEPTH_SCALE, 1);
+    glPixelTransferi(GL_INDEX_OFFSET, 0);
+    glReadPixels(0, 0, 1, 1, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, &got);
+    assert_int_equal(got, on_fixedgl() ? 0x12 : 0x11);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -229,6 +245,7 @@ int main(void)
             GL_TEST(the_accumulation_buffer_begins_as_zero),
             GL_TEST(denormals_are_kept),
             GL_TEST(pixels_of_three_bytes_are_in_their_places),
+            GL_TEST(drawn_depths_and_stencils_are_transferred),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
