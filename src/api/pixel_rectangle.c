@@ -243,12 +243,12 @@ static void draw_rectangle(struct context *ctx, int width, int height, const str
     r.stencil_mask = (uint8_t)ctx->s.stencil.stencil_writemask;
     RETURN_ERROR_IF(ctx, (channel == CHANNEL_STENCIL || both) && !fgl_framebuffer_need_stencil(r.fb), GL_OUT_OF_MEMORY);
     fgl_pixels_begin(ctx, channel <= CHANNEL_LUMINANCE || channel == CHANNEL_INDEX ? PIXELS_COLOR : PIXELS_DEPTH, &r.draw);
-    r.kind = both                         ? DEPTH_STENCIL
-             : channel == CHANNEL_DEPTH   ? DEPTH
-             : channel == CHANNEL_STENCIL ? STENCIL
-             : ctx->color_index           ? COLOR_INDEXES
-             : fgl_pixels_fused(&r.draw)  ? RGBA_UNORM8
-                                          : RGBA_FLOATS;
+    r.kind = both                              ? DEPTH_STENCIL
+             : channel == CHANNEL_DEPTH        ? DEPTH
+             : channel == CHANNEL_STENCIL      ? STENCIL
+             : ctx->color_index                ? COLOR_INDEXES
+             : fgl_pixels_take_unorm8(&r.draw) ? RGBA_UNORM8
+                                               : RGBA_FLOATS;
     r.planes = r.kind == RGBA_FLOATS ? 4 : both ? 2 : 1;
     if (!place(ctx, width, height, &r.draw.bounds, copied, &r.zoom, &r.area))
         return;

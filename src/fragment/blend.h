@@ -6,26 +6,54 @@
 #include "fragment/pixel.h"
 
 /* OSMesa rule: normalised colour is rounded to the buffer's precision first; blending is then integer
- * arithmetic, with one rounding for each product and saturating sums. max is 2^n - 1; (t + (t >> n) +
- * 2^(n-1)) >> n divides t by it. */
-static FGL_ALWAYS_INLINE uint32_t norm_mul(uint32_t a, uint32_t b, uint32_t max)
+ * arithmetic, with one rounding for each product and saturating sums. (t + (t >> n) + 2^(n-1)) >> n divides t by
+ * 2^n - 1. */
+static FGL_ALWAYS_INLINE uint16_t byte_mul(uint8_t a, uint8_t b)
 {
-    const uint32_t t = a * b;
-    return max == 255 ? (t + (t >> 8) + 128) >> 8 : (t + (t >> 16) + 32768) >> 16;
+    const uint16_t t = (uint16_t)(a * b), rounded = (uint16_t)(t + (t >> 8) + 128); /* no more than 65407 */
+    return rounded >> 8;
 }
 
+static FGL_ALWAYS_INLINE uint32_t word_mul(uint32_t a, uint32_t b)
+{
+    const uint32_t t = a * b;
+    return (t + (t >> 16) + 32768) >> 16;
+}
+
+static FGL_ALWAYS_INLINE uint32_t saturating_add(uint32_t a, uint32_t b, uint32_t max)
+{
+    return a + b < max ? a + b : max;
+}
+
+/* Buffers of 8 bits: channel 0 has the packed pixels, channel 3 their alpha in each byte; both factors are packed alike. */
 #define CHANNEL uint32_t
-#define FACTOR_OUT false
-#define T(name) norm_##name
-#define MUL(a, b) norm_mul(a, b, max)
+#define ELEMENT uint8_t
+#define ELEMENTS (4 * FRAGMENT_GROUP)
+#define FACTOR_OUT 0
+#define T(name) byte_##name
+#define MUL(a, b) byte_mul(a, b)
+#define COMPLEMENT(a) (~(a))
+#define ADD(a, b) ((uint16_t)((a) + (b)) < 255 ? (uint16_t)((a) + (b)) : 255)
+#define SUB(a, b) ((a) > (b) ? (a) - (b) : 0)
+#include "fragment/blend_template.h"
+
+/* 16 bits. */
+#define CHANNEL uint32_t
+#define ELEMENT uint32_t
+#define ELEMENTS FRAGMENT_GROUP
+#define FACTOR_OUT 0
+#define T(name) word_##name
+#define MUL(a, b) word_mul(a, b)
 #define COMPLEMENT(a) (max - (a))
-#define ADD(a, b) ((a) + (b) < max ? (a) + (b) : max)
+#define ADD(a, b) saturating_add(a, b, max)
 #define SUB(a, b) ((a) > (b) ? (a) - (b) : 0)
 #include "fragment/blend_template.h"
 
 /* OSMesa rule: float colour blends unclamped. */
 #define CHANNEL real
-#define FACTOR_OUT true
+#define ELEMENT real
+#define ELEMENTS FRAGMENT_GROUP
+#define FACTOR_OUT 1
 #define T(name) real_##name
 #define MUL(a, b) ((a) * (b))
 #define COMPLEMENT(a) (max - (a))
@@ -64,43 +92,86 @@ static inline uint32_t to_norm(real v, uint32_t max)
     return (uint32_t)r_round_small(r_saturate(v) * (real)max);
 }
 
-/* UNORM8, UNORM16, 565. */
-static inline void write_norm(const struct fragments *f, const struct fragment_plan *plan)
+/* Alpha's part of the state that is not RGB's, too. */
+static inline bool blends_alpha_apart(const struct color_buffer_state *s)
 {
-    const uint32_t max = plan->fb->color_kind == COLOR_UNORM16 ? 65535 : 255;
-    const struct color_buffer_state *s = &plan->color_buffer;
-    uint32_t src[4][FRAGMENT_GROUP], dst[4][FRAGMENT_GROUP], constant[4];
-    load_norm(plan->fb, f->row, f->x, dst);
-    for (int c = 0; c < 4; c++)
-        FOR_GROUP(i) src[c][i] = to_norm(f->color[c][i], max);
-    if (plan->blend) {
-        for (int c = 0; c < 4; c++)
-            constant[c] = to_norm((real)s->blend_color[c], max);
-        norm_blend(s, src, dst, constant, max);
-    } else if (plan->logic_op) {
-        for (int c = 0; c < 4; c++)
-            logic_op(s->logic_op_mode, src[c], dst[c], max);
-    }
-    for (int c = 0; c < 4; c++) {
-        const int32_t write = -(int32_t)plan->channel_write[c];
-        FOR_GROUP(i) src[c][i] = f->live[i] & write ? src[c][i] : dst[c][i];
-    }
-    store_norm(plan->fb, f->row, f->x, src);
+    return s->blend_equation[0] != s->blend_equation[1] || s->blend_src_rgb != s->blend_src_alpha ||
+           s->blend_dst_rgb != s->blend_dst_alpha || s->blend_src_rgb == GL_SRC_ALPHA_SATURATE;
 }
 
-static inline void write_float(struct fragments *f, const struct fragment_plan *plan)
+static inline void blend_packed(const struct color_buffer_state *s, uint32_t *FGL_RESTRICT src, const uint32_t *FGL_RESTRICT dst)
+{
+    uint32_t a[4][FRAGMENT_GROUP], b[4][FRAGMENT_GROUP], result[FRAGMENT_GROUP];
+    const uint32_t color = pack_unorm8((real)s->blend_color[0], (real)s->blend_color[1], (real)s->blend_color[2],
+                                       (real)s->blend_color[3]);
+    const uint32_t each = 0x01010101, alpha = 0xff000000, constant[4] = {color, color, color, (color >> 24) * each};
+    FOR_GROUP(i) a[0][i] = src[i];
+    FOR_GROUP(i) b[0][i] = dst[i];
+    FOR_GROUP(i) a[3][i] = (src[i] >> 24) * each;
+    FOR_GROUP(i) b[3][i] = (dst[i] >> 24) * each;
+    byte_blend_channel(s, 0, a, b, constant, ~0u, src);
+    if (!blends_alpha_apart(s))
+        return;
+    byte_blend_channel(s, 3, a, b, constant, ~0u, result);
+    FOR_GROUP(i) src[i] = (src[i] & ~alpha) | (result[i] & alpha);
+}
+
+/* UNORM8, 565. */
+static inline void write_packed(const struct fragments *f, const struct fragment_plan *plan)
+{
+    const struct color_buffer_state *s = &plan->color_buffer;
+    uint32_t src[FRAGMENT_GROUP], dst[FRAGMENT_GROUP];
+    load_packed(plan->fb, f->row, f->x, dst);
+    FOR_GROUP(i) src[i] = pack_unorm8(f->color[0][i], f->color[1][i], f->color[2][i], f->color[3][i]);
+    if (plan->blend)
+        blend_packed(s, src, dst);
+    else if (plan->logic_op)
+        logic_op(s->logic_op_mode, src, dst, ~0u);
+    FOR_GROUP(i) {
+        const uint32_t write = (uint32_t)f->live[i] & plan->write_bits;
+        src[i] = (src[i] & write) | (dst[i] & ~write);
+    }
+    store_packed(plan->fb, f->row, f->x, src);
+}
+
+static inline void write_words(const struct fragments *f, const struct fragment_plan *plan)
+{
+    const uint32_t max = 65535;
+    const struct color_buffer_state *s = &plan->color_buffer;
+    uint32_t src[4][FRAGMENT_GROUP], dst[4][FRAGMENT_GROUP], out[4][FRAGMENT_GROUP], constant[4];
+    load_words(plan->fb, f->row, f->x, dst);
+    for (int c = 0; c < 4; c++)
+        FOR_GROUP(i) src[c][i] = to_norm(f->color[c][i], max);
+    for (int c = 0; c < 4; c++)
+        constant[c] = to_norm((real)s->blend_color[c], max);
+    for (int c = 0; c < 4; c++) {
+        const int32_t write = -(int32_t)plan->channel_write[c];
+        if (plan->blend)
+            word_blend_channel(s, c, src, dst, constant, max, out[c]);
+        else
+            memcpy(out[c], src[c], sizeof out[c]);
+        if (plan->logic_op)
+            logic_op(s->logic_op_mode, out[c], dst[c], max);
+        FOR_GROUP(i) out[c][i] = f->live[i] & write ? out[c][i] : dst[c][i];
+    }
+    store_words(plan->fb, f->row, f->x, out);
+}
+
+static inline void write_float(const struct fragments *f, const struct fragment_plan *plan)
 {
     const float *blend_color = plan->color_buffer.blend_color;
     const real constant[4] = {(real)blend_color[0], (real)blend_color[1], (real)blend_color[2], (real)blend_color[3]};
-    real dst[4][FRAGMENT_GROUP];
+    real dst[4][FRAGMENT_GROUP], out[4][FRAGMENT_GROUP];
     load_float(plan->fb, f->row, f->x, dst);
-    if (plan->blend)
-        real_blend(&plan->color_buffer, f->color, dst, constant, 1);
     for (int c = 0; c < 4; c++) {
         const int32_t write = -(int32_t)plan->channel_write[c];
-        FOR_GROUP(i) f->color[c][i] = f->live[i] & write ? f->color[c][i] : dst[c][i];
+        if (plan->blend)
+            real_blend_channel(&plan->color_buffer, c, f->color, dst, constant, 1, out[c]);
+        else
+            memcpy(out[c], f->color[c], sizeof out[c]);
+        FOR_GROUP(i) out[c][i] = f->live[i] & write ? out[c][i] : dst[c][i];
     }
-    store_float(plan->fb, f->row, f->x, f->color);
+    store_float(plan->fb, f->row, f->x, out);
 }
 
 #endif

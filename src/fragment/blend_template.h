@@ -1,7 +1,9 @@
-/* Blending (GL 1.5, 4.1.8 "Blending") for one type of channel. Before each inclusion define CHANNEL, the
- * type, T(name), which makes the names below its own, and, for values a and b, MUL(a, b), COMPLEMENT(a) = 1 -
- * a, ADD(a, b) and SUB(a, b); `max` is the value of 1.0. FACTOR_OUT: a factor that source and destination
- * have in common multiplies their sum. Alpha is channel 3. */
+/* Blending (GL 1.5, 4.1.8 "Blending") for one type of channel. Before each inclusion define CHANNEL, the type, T(name), which makes the
+ * names below its own, and COMPLEMENT(a) = 1 - a; `max` is the value of 1.0. A group is computed with as an array of ELEMENTS numbers of
+ * type ELEMENT, either the channel's own or the bytes packed in it, for which define MUL(a, b), ADD(a, b) and SUB(a, b). FACTOR_OUT: a
+ * factor that source and destination have in common multiplies their sum. Alpha is channel 3. */
+
+#define FOR_ELEMENTS(i) for (int i = 0; i < ELEMENTS; i++)
 
 /* The factor of channel c, for each fragment. */
 static inline void T(factor)(GLenum factor, int c, const CHANNEL src[4][FRAGMENT_GROUP],
@@ -36,53 +38,50 @@ static inline void T(factor)(GLenum factor, int c, const CHANNEL src[4][FRAGMENT
 
 /* One channel of the blend equation. A function of its own: GCC unrolls loops inside of another loop before it can make vectors of
  * them. */
-static FGL_NOINLINE void T(blend_channel)(const struct color_buffer_state *s, int c,
-                                    const CHANNEL src[4][FRAGMENT_GROUP],
-                                    const CHANNEL dst[4][FRAGMENT_GROUP], const CHANNEL constant[4],
-                                    CHANNEL max, CHANNEL *FGL_RESTRICT out)
+static FGL_NOINLINE void T(blend_channel)(const struct color_buffer_state *s, int c, const CHANNEL src[4][FRAGMENT_GROUP],
+                                          const CHANNEL dst[4][FRAGMENT_GROUP], const CHANNEL constant[4], CHANNEL max,
+                                          CHANNEL *FGL_RESTRICT result)
 {
-    CHANNEL sf[FRAGMENT_GROUP], df[FRAGMENT_GROUP];
+    CHANNEL src_factors[FRAGMENT_GROUP], dst_factors[FRAGMENT_GROUP];
+    const ELEMENT *a = (const ELEMENT *)src[c], *b = (const ELEMENT *)dst[c];
+    const ELEMENT *fa = (const ELEMENT *)src_factors, *fb = (const ELEMENT *)dst_factors;
+    ELEMENT *FGL_RESTRICT out = (ELEMENT *)result;
     const GLenum equation = s->blend_equation[c == 3];
     if (equation == GL_MIN) { /* factors do not apply */
-        FOR_GROUP(i) out[i] = src[c][i] < dst[c][i] ? src[c][i] : dst[c][i];
+        FOR_ELEMENTS(i) out[i] = a[i] < b[i] ? a[i] : b[i];
         return;
     }
     if (equation == GL_MAX) {
-        FOR_GROUP(i) out[i] = src[c][i] > dst[c][i] ? src[c][i] : dst[c][i];
+        FOR_ELEMENTS(i) out[i] = a[i] > b[i] ? a[i] : b[i];
         return;
     }
     const GLenum src_factor = c == 3 ? s->blend_src_alpha : s->blend_src_rgb,
                  dst_factor = c == 3 ? s->blend_dst_alpha : s->blend_dst_rgb;
-    const bool common =
-            FACTOR_OUT && s->blend_src_rgb == s->blend_dst_rgb && s->blend_src_alpha == s->blend_dst_alpha;
-    T(factor)(src_factor, c, src, dst, constant, max, sf);
-    T(factor)(dst_factor, c, src, dst, constant, max, df);
-    CHANNEL a[FRAGMENT_GROUP], b[FRAGMENT_GROUP];
-    FOR_GROUP(i) a[i] = common ? src[c][i] : MUL(src[c][i], sf[i]);
-    FOR_GROUP(i) b[i] = common ? dst[c][i] : MUL(dst[c][i], df[i]);
+    T(factor)(src_factor, c, src, dst, constant, max, src_factors);
+    T(factor)(dst_factor, c, src, dst, constant, max, dst_factors);
+#if FACTOR_OUT
+    if (s->blend_src_rgb == s->blend_dst_rgb && s->blend_src_alpha == s->blend_dst_alpha) {
+        FOR_ELEMENTS(i) out[i] = MUL(equation == GL_FUNC_ADD        ? ADD(a[i], b[i])
+                                     : equation == GL_FUNC_SUBTRACT ? SUB(a[i], b[i])
+                                                                    : SUB(b[i], a[i]), fa[i]);
+        return;
+    }
+#endif
     if (equation == GL_FUNC_ADD)
-        FOR_GROUP(i) out[i] = ADD(a[i], b[i]);
+        FOR_ELEMENTS(i) out[i] = (ELEMENT)ADD(MUL(a[i], fa[i]), MUL(b[i], fb[i]));
     else if (equation == GL_FUNC_SUBTRACT)
-        FOR_GROUP(i) out[i] = SUB(a[i], b[i]);
+        FOR_ELEMENTS(i) out[i] = (ELEMENT)SUB(MUL(a[i], fa[i]), MUL(b[i], fb[i]));
     else
-        FOR_GROUP(i) out[i] = SUB(b[i], a[i]);
-    if (common)
-        FOR_GROUP(i) out[i] = MUL(out[i], sf[i]);
-}
-
-static inline void T(blend)(const struct color_buffer_state *s, CHANNEL src[4][FRAGMENT_GROUP],
-                            const CHANNEL dst[4][FRAGMENT_GROUP], const CHANNEL constant[4], CHANNEL max)
-{
-    CHANNEL out[4][FRAGMENT_GROUP];
-    for (int c = 0; c < 4; c++)
-        T(blend_channel)(s, c, src, dst, constant, max, out[c]);
-    memcpy(src, out, sizeof out);
+        FOR_ELEMENTS(i) out[i] = (ELEMENT)SUB(MUL(b[i], fb[i]), MUL(a[i], fa[i]));
 }
 
 #undef CHANNEL
+#undef ELEMENT
+#undef ELEMENTS
 #undef FACTOR_OUT
 #undef T
 #undef MUL
 #undef COMPLEMENT
 #undef ADD
 #undef SUB
+#undef FOR_ELEMENTS

@@ -97,8 +97,8 @@ struct runs {
 /* Pixel rectangles (GL 1.5, 3.6.4): what comes from the image instead of from planes. Arrays by window x, as
  * long as a row of the framebuffer with its padding; NULL: as for other primitives. */
 struct pixel_inputs {
-    const uint32_t *unorm8; /* for fused kernels: colours as a buffer of COLOR_UNORM8 has them */
-    const float *color[4]; /* all or none; colour index mode: the first alone */
+    const uint32_t *unorm8; /* colours as a buffer of COLOR_UNORM8 has them, or */
+    const float *color[4]; /* as floats; colour index mode: the first alone */
     const float *depth;    /* [0,1] */
 };
 
@@ -147,6 +147,7 @@ struct fragment_plan {
 
     bool alpha_test, depth_test, depth_write, stencil_test, blend, logic_op, color_write;
     bool channel_write[4];
+    uint32_t write_bits; /* the same for COLOR_UNORM8: bits of a pixel */
     struct color_buffer_state color_buffer;
     struct stencil_state stencil;
     GLenum depth_func;

@@ -49,8 +49,10 @@ static void general_group(const struct fragment_plan *plan, const struct planes 
         return;
     if (plan->fb->color_kind == COLOR_FLOAT)
         write_float(&f, plan);
+    else if (plan->fb->color_kind == COLOR_UNORM16)
+        write_words(&f, plan);
     else
-        write_norm(&f, plan);
+        write_packed(&f, plan);
 }
 
 static void general_fill(const struct fragment_plan *plan, const struct planes *planes,

@@ -41,4 +41,11 @@ static FGL_ALWAYS_INLINE uint32_t pack_unorm8(real r, real g, real b, real a)
            (uint32_t)r_round_small(r_saturate(b) * 255) << 16 | (uint32_t)r_round_small(r_saturate(a) * 255) << 24;
 }
 
+/* OSMesa rule: a product with 1/255, where the specification divides. */
+static FGL_ALWAYS_INLINE real from_unorm8(uint32_t v)
+{
+    const real whole = (real)(int32_t)v;
+    return R_EXACT ? whole / 255 : whole * (real)(1.0f / 255.0f);
+}
+
 #endif

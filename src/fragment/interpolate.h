@@ -5,13 +5,15 @@
 
 #include "fragment/group.h"
 
-/* One group of fragments. live: all bits or none. Colours are neither clamped nor rounded. */
+/* One group of fragments. live: all bits or none. Colours are neither clamped nor rounded. Aligned, so that no vector lies in two
+ * cache lines. */
 struct fragments {
-    int x, row; /* of pixel 0 */
-    real fy, fx[FRAGMENT_GROUP], w[FRAGMENT_GROUP];
+    _Alignas(64) real fx[FRAGMENT_GROUP], w[FRAGMENT_GROUP];
     real color[4][FRAGMENT_GROUP];
     real secondary[3][FRAGMENT_GROUP]; /* of COLOR_LIT */
-    int32_t live[FRAGMENT_GROUP], depth[FRAGMENT_GROUP];
+    _Alignas(64) int32_t live[FRAGMENT_GROUP], depth[FRAGMENT_GROUP];
+    int x, row; /* of pixel 0 */
+    real fy;
 };
 
 #define FOR_GROUP(i) for (int i = 0; i < FRAGMENT_GROUP; i++)
@@ -40,21 +42,36 @@ static inline void start_fragments(struct fragments *f, const struct fragment_pl
     FOR_GROUP(i) f->w[i] = 1 / plane_at(p, LANE_OOW, f->fx[i], f->fy);
 }
 
-static inline void interpolate_color(struct fragments *f, const struct fragment_plan *plan,
-                                     const struct planes *p)
+static FGL_ALWAYS_INLINE void interpolate_channel(struct fragments *f, const struct planes *p, int lane, real *FGL_RESTRICT to)
 {
-    if (plan->pixels && plan->pixels->color[0]) {
-        for (int c = 0; c < 4; c++)
-            FOR_GROUP(i) f->color[c][i] = (real)plan->pixels->color[c][f->x + i];
-        return;
-    }
-    for (int c = 0; c < 4; c++) {
-        const real flat = plan->color_source == COLOR_FLAT ? PLANES(p)->a00[LANE_COLOR + c]
-                                                           : (real)plan->constant_color[c];
-        if (plan->color_source == COLOR_SMOOTH)
-            FOR_GROUP(i) f->color[c][i] = plane_at(p, LANE_COLOR + c, f->fx[i], f->fy) * f->w[i];
+    FOR_GROUP(i) to[i] = plane_at(p, lane, f->fx[i], f->fy) * f->w[i];
+}
+
+/* Pixel rectangles. */
+static FGL_ALWAYS_INLINE void take_color(struct fragments *f, const struct pixel_inputs *pixels)
+{
+    const uint32_t *unorm8 = pixels->unorm8 ? pixels->unorm8 + f->x : NULL;
+    for (int c = 0; c < 4; c++)
+        if (unorm8)
+            FOR_GROUP(i) f->color[c][i] = from_unorm8(unorm8[i] >> (8 * c) & 255);
         else
+            FOR_GROUP(i) f->color[c][i] = (real)pixels->color[c][f->x + i];
+}
+
+static inline void interpolate_color(struct fragments *f, const struct fragment_plan *plan, const struct planes *p)
+{
+    if (plan->color_source == COLOR_SMOOTH) {
+        interpolate_channel(f, p, LANE_COLOR + 0, f->color[0]);
+        interpolate_channel(f, p, LANE_COLOR + 1, f->color[1]);
+        interpolate_channel(f, p, LANE_COLOR + 2, f->color[2]);
+        interpolate_channel(f, p, LANE_COLOR + 3, f->color[3]);
+    } else if (plan->color_source == COLOR_IMAGE) {
+        take_color(f, plan->pixels);
+    } else {
+        for (int c = 0; c < 4; c++) {
+            const real flat = plan->color_source == COLOR_FLAT ? PLANES(p)->a00[LANE_COLOR + c] : (real)plan->constant_color[c];
             FOR_GROUP(i) f->color[c][i] = flat;
+        }
     }
 }
 

@@ -1,5 +1,5 @@
-/* Colour between the buffer's formats (enum color_kind) and an array for each channel. 565 is worked on with
- * 8 bits a channel. */
+/* Colour between the buffer's formats (enum color_kind) and what the stages work on: packed bytes, or an array for each
+ * channel. 565 is worked on with 8 bits a channel. */
 #ifndef FGL_FRAGMENT_PIXEL_H
 #define FGL_FRAGMENT_PIXEL_H
 
@@ -17,43 +17,45 @@ static FGL_ALWAYS_INLINE uint32_t expand(uint32_t pixel, int shift, int n)
     return v << (8 - n) | v >> (2 * n - 8);
 }
 
-/* A buffer without alpha reads as opaque (GL 1.5, 4.1.8). */
-static inline void load_norm(const struct framebuffer *fb, int row, int x, uint32_t dst[4][FRAGMENT_GROUP])
+/* Buffers of 8 bits and fewer, packed as UNORM8 is. One without alpha reads as opaque (GL 1.5, 4.1.8). */
+static inline void load_packed(const struct framebuffer *fb, int row, int x, uint32_t dst[FRAGMENT_GROUP])
 {
     const ptrdiff_t at = pixel_index(fb, row, x);
+    const uint32_t opaque = fb->has_alpha ? 0 : 0xff000000u;
     if (fb->color_kind == COLOR_UNORM8) {
         const uint32_t *p = (const uint32_t *)fb->color + at;
-        for (int c = 0; c < 4; c++)
-            FOR_GROUP(i) dst[c][i] = p[i] >> (8 * c) & 255;
-    } else if (fb->color_kind == COLOR_UNORM16) {
-        const uint16_t *p = (const uint16_t *)fb->color + 4 * at;
-        for (int c = 0; c < 4; c++)
-            FOR_GROUP(i) dst[c][i] = p[4 * i + c];
+        FOR_GROUP(i) dst[i] = p[i] | opaque;
     } else {
         const uint16_t *p = (const uint16_t *)fb->color + at;
-        FOR_GROUP(i) dst[0][i] = expand(p[i], 11, 5);
-        FOR_GROUP(i) dst[1][i] = expand(p[i], 5, 6);
-        FOR_GROUP(i) dst[2][i] = expand(p[i], 0, 5);
+        FOR_GROUP(i) dst[i] = expand(p[i], 11, 5) | expand(p[i], 5, 6) << 8 | expand(p[i], 0, 5) << 16 | opaque;
     }
-    if (!fb->has_alpha)
-        FOR_GROUP(i) dst[3][i] = fb->color_kind == COLOR_UNORM16 ? 65535 : 255;
 }
 
-static inline void store_norm(const struct framebuffer *fb, int row, int x,
-                              const uint32_t src[4][FRAGMENT_GROUP])
+static inline void store_packed(const struct framebuffer *fb, int row, int x, const uint32_t src[FRAGMENT_GROUP])
 {
     const ptrdiff_t at = pixel_index(fb, row, x);
     if (fb->color_kind == COLOR_UNORM8) {
         uint32_t *p = (uint32_t *)fb->color + at;
-        FOR_GROUP(i) p[i] = src[0][i] | src[1][i] << 8 | src[2][i] << 16 | src[3][i] << 24;
-    } else if (fb->color_kind == COLOR_UNORM16) {
-        uint16_t *p = (uint16_t *)fb->color + 4 * at;
-        for (int c = 0; c < 4; c++)
-            FOR_GROUP(i) p[4 * i + c] = (uint16_t)src[c][i];
+        FOR_GROUP(i) p[i] = src[i];
     } else {
         uint16_t *p = (uint16_t *)fb->color + at;
-        FOR_GROUP(i) p[i] = (uint16_t)(src[0][i] >> 3 << 11 | src[1][i] >> 2 << 5 | src[2][i] >> 3);
+        FOR_GROUP(i) p[i] = (uint16_t)((src[i] >> 3 & 31) << 11 | (src[i] >> 10 & 63) << 5 | (src[i] >> 19 & 31));
     }
+}
+
+/* Those of 16 bits. */
+static inline void load_words(const struct framebuffer *fb, int row, int x, uint32_t dst[4][FRAGMENT_GROUP])
+{
+    const uint16_t *p = (const uint16_t *)fb->color + 4 * pixel_index(fb, row, x);
+    for (int c = 0; c < 4; c++)
+        FOR_GROUP(i) dst[c][i] = c == 3 && !fb->has_alpha ? 65535 : p[4 * i + c];
+}
+
+static inline void store_words(const struct framebuffer *fb, int row, int x, const uint32_t src[4][FRAGMENT_GROUP])
+{
+    uint16_t *p = (uint16_t *)fb->color + 4 * pixel_index(fb, row, x);
+    for (int c = 0; c < 4; c++)
+        FOR_GROUP(i) p[4 * i + c] = (uint16_t)src[c][i];
 }
 
 static inline void load_float(const struct framebuffer *fb, int row, int x, real dst[4][FRAGMENT_GROUP])

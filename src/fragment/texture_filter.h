@@ -126,13 +126,6 @@ typedef void filter_packed_fn(const struct texture_level *level, const struct te
 static filter_packed_fn *const filter_packed[TEXTURE_TARGETS][2] = {
         {nearest_1d, linear_1d}, {nearest_2d, linear_2d}, {nearest_3d, linear_3d}, {nearest_cube, linear_cube}};
 
-/* OSMesa rule: a product with 1/255, where the specification divides. */
-static FGL_ALWAYS_INLINE real from_unorm8(uint32_t v)
-{
-    const real whole = (real)(int32_t)v;
-    return R_EXACT ? whole / 255 : whole * (real)(1.0f / 255.0f);
-}
-
 static FGL_ALWAYS_INLINE void unpack_texels(const uint32_t *texel, real to[4][FRAGMENT_GROUP])
 {
     for (int c = 0; c < 4; c++)

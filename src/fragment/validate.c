@@ -90,11 +90,12 @@ void fgl_fragment_validate(struct fragment_plan *plan, const struct server_state
     plan->stencil_test = s->stencil.stencil_test && fgl_framebuffer_need_stencil(fb) && fb->stencil;
     plan->logic_op = color->color_logic_op;
     plan->blend = color->blend && !plan->logic_op; /* GL 1.5, 4.1.10: a logical operation replaces blending */
-    plan->color_write = false;
+    plan->write_bits = 0;
     for (int i = 0; i < 4; i++) {
         plan->channel_write[i] = color->color_writemask[i] && color->draw_buffer != GL_NONE;
-        plan->color_write |= plan->channel_write[i];
+        plan->write_bits |= plan->channel_write[i] ? 255u << (8 * i) : 0;
     }
+    plan->color_write = plan->write_bits != 0;
     if (fb->color_kind == COLOR_INDEX8) {
         validate_index(plan, color);
         return;

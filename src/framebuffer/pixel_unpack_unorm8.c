@@ -3,6 +3,8 @@
 #include "framebuffer/pixel_unpack.h"
 #include "framebuffer/rows.h"
 
+#include <string.h>
+
 static bool is_plain_bytes(const struct pixel_image *image)
 {
     return image->type->type == GL_UNSIGNED_BYTE && image->format->channel[0] <= CHANNEL_LUMINANCE;
@@ -38,20 +40,31 @@ static void luminance_alpha(const uint8_t *FGL_RESTRICT from, int n, uint32_t *F
         out[i] = from[2 * i] * 0x010101u | (uint32_t)from[2 * i + 1] << 24;
 }
 
+/* The bytes in memory of a pixel with red in its low byte: RGBA, unless the machine keeps the high byte first. */
+static void rgba(const uint8_t *from, int n, uint32_t *out)
+{
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+    memcpy(out, from, (size_t)n * sizeof *out);
+#else
+    static const int shift[4] = {0, 8, 16, 24};
+    join_bytes(from, n, 4, shift, 0, out);
+#endif
+}
+
 static void unpack_bytes(GLenum format, int channel, const uint8_t *from, int n, uint32_t *out)
 {
-    static const int rgba[4] = {0, 8, 16, 24}, bgra[4] = {16, 8, 0, 24}, abgr[4] = {24, 16, 8, 0};
+    static const int rgb[4] = {0, 8, 16, 24}, bgra[4] = {16, 8, 0, 24}, abgr[4] = {24, 16, 8, 0};
     const uint32_t opaque = 0xff000000u;
     switch (format) {
-    case GL_RGBA: join_bytes(from, n, 4, rgba, 0, out); break;
+    case GL_RGBA: rgba(from, n, out); break;
     case GL_BGRA: join_bytes(from, n, 4, bgra, 0, out); break;
     case GL_ABGR_EXT: join_bytes(from, n, 4, abgr, 0, out); break;
-    case GL_RG: join_bytes(from, n, 2, rgba, opaque, out); break;
-    case GL_RGB: join_bytes(from, n, 3, rgba, opaque, out); break;
+    case GL_RG: join_bytes(from, n, 2, rgb, opaque, out); break;
+    case GL_RGB: join_bytes(from, n, 3, rgb, opaque, out); break;
     case GL_BGR: join_bytes(from, n, 3, bgra, opaque, out); break;
     case GL_LUMINANCE: luminance(from, n, out); break;
     case GL_LUMINANCE_ALPHA: luminance_alpha(from, n, out); break;
-    default: join_bytes(from, n, 1, &rgba[channel], channel == CHANNEL_ALPHA ? 0 : opaque, out); break;
+    default: join_bytes(from, n, 1, &rgb[channel], channel == CHANNEL_ALPHA ? 0 : opaque, out); break;
     }
 }
 

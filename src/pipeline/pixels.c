@@ -55,6 +55,13 @@ void fgl_pixels_begin(struct context *ctx, enum pixel_kind kind, struct pixel_dr
     ctx->framebuffer->drawn = true;
 }
 
+bool fgl_pixels_take_unorm8(const struct pixel_draw *draw)
+{
+    const struct fragment_plan *f = &draw->fragment;
+    const bool drawn = f->color_buffer.draw_buffer != GL_NONE; /* else the alpha test is not of bytes */
+    return f->color_source == COLOR_IMAGE && f->fb->color_kind == COLOR_UNORM8 && drawn && !f->textures && !f->has_fog;
+}
+
 void fgl_pixels_run(const struct pixel_draw *draw, int y, int x0, int x1)
 {
     struct runs runs = {.y = y, .n = 1};

@@ -17,11 +17,8 @@ enum pixel_kind { PIXELS_COLOR, PIXELS_DEPTH, PIXELS_BITMAP };
 /* Prepares *draw for the current state and raster position. The context has a framebuffer. */
 void fgl_pixels_begin(struct context *ctx, enum pixel_kind kind, struct pixel_draw *draw);
 
-/* Whether a fused kernel draws them, which reads colours as inputs.unorm8. */
-static inline bool fgl_pixels_fused(const struct pixel_draw *draw)
-{
-    return draw->fragment.fill != draw->fragment.general;
-}
+/* Whether colours go to a buffer of bytes as they come, so that they may as well come as bytes: inputs.unorm8. */
+bool fgl_pixels_take_unorm8(const struct pixel_draw *draw);
 
 /* Draws the pixels x0 <= x < x1 of row y, y down, all inside the bounds. */
 void fgl_pixels_run(const struct pixel_draw *draw, int y, int x0, int x1);
