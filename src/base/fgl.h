@@ -29,6 +29,17 @@
 static inline int fgl_min(int a, int b) { return a < b ? a : b; }
 static inline int fgl_max(int a, int b) { return a > b ? a : b; }
 static inline int fgl_clamp(int v, int lo, int hi) { return fgl_max(lo, fgl_min(v, hi)); }
+static inline int fgl_lowest_bit(uint32_t bits) /* its number; bits: not 0 */
+{
+#if defined(__GNUC__)
+    return __builtin_ctz(bits);
+#else
+    int n = 0;
+    for (; !(bits & 1); bits >>= 1)
+        n++;
+    return n;
+#endif
+}
 static inline float fgl_clamp01(float v) { return v > 0.0f ? (v < 1.0f ? v : 1.0f) : 0.0f; } /* NaN -> 0 */
 
 #endif

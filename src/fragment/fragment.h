@@ -107,6 +107,10 @@ struct fragment_plan;
 typedef void fragment_fill_fn(const struct fragment_plan *plan, const struct planes *planes,
                               const struct runs *runs);
 
+/* Draws pixels of small triangles (fragment/planes.h), one after the other. */
+struct scattered;
+typedef void fragment_scatter_fn(const struct fragment_plan *plan, const struct scattered *pixels);
+
 enum depth_kind { DEPTH_OFF, DEPTH_LESS, DEPTH_LEQUAL, DEPTH_KINDS };
 
 /* The kernels of one instruction set (kernels.c). Every set gives the same bytes. */
@@ -114,6 +118,7 @@ struct fragment_kernels {
     /* COLOR_UNORM8 with all channels written; depth written where it is tested; no other stage, no smoothing,
      * no stipple */
     fragment_fill_fn *fused[DEPTH_KINDS][COLOR_SOURCES];
+    fragment_scatter_fn *scatter[DEPTH_KINDS][COLOR_SOURCES]; /* the same; NULL where no triangle has such a colour */
     fragment_fill_fn *general; /* everything that a plan and planes can ask for */
     /* for explain: stage number `stage` at a pixel */
     void (*trace_texture)(const struct fragment_plan *plan, const struct planes *planes, int stage, int row, int x,
@@ -125,6 +130,7 @@ struct fragment_plan {
     enum fgl_arith arith;
     fragment_fill_fn *fill;    /* a fused kernel where there is one for these stages, else the general one */
     fragment_fill_fn *general; /* for planes with smoothing or stipple */
+    fragment_scatter_fn *scatter; /* does what a fused `fill` does; else NULL */
 
     enum color_source color_source;
     float constant_color[4];

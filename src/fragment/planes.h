@@ -11,4 +11,12 @@
 #define PLANES(planes) (planes)
 #endif
 
+/* Pixels of small triangles: each with its triangle's planes in a lane of its own. Behind the n-th they are of no account. */
+enum { SCATTERED_MAX = 16 };
+struct scattered {
+    int n;
+    int32_t x[SCATTERED_MAX], y[SCATTERED_MAX];
+    real a00[LANE_SECONDARY][SCATTERED_MAX], dadx[LANE_SECONDARY][SCATTERED_MAX], dady[LANE_SECONDARY][SCATTERED_MAX];
+};
+
 #endif

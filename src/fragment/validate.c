@@ -31,20 +31,20 @@ static void validate_fog(struct fragment_plan *plan, const struct fog_state *fog
     plan->fog_index = fog->fog_index;
 }
 
-/* The kernel that does just what the plan asks for, or NULL. */
-static fragment_fill_fn *fused_kernel(const struct fragment_plan *plan)
+/* The kernels that do just what the plan asks for, if there are such. */
+static void choose_fused(struct fragment_plan *plan)
 {
+    const struct fragment_kernels *kernels = fgl_fragment_kernels(plan->arith);
     const bool *write = plan->channel_write;
+    const enum depth_kind depth = !plan->depth_test ? DEPTH_OFF : plan->depth_func == GL_LESS ? DEPTH_LESS : DEPTH_LEQUAL;
     if (plan->fb->color_kind != COLOR_UNORM8 || plan->has_secondary || plan->has_fog || plan->textures || plan->alpha_test ||
         plan->stencil_test || plan->blend || plan->logic_op || plan->samples_passed ||
-        !(write[0] && write[1] && write[2] && write[3]))
-        return NULL;
-    if (!plan->depth_test)
-        return fgl_fragment_kernels(plan->arith)->fused[DEPTH_OFF][plan->color_source];
-    if (!plan->depth_write || (plan->depth_func != GL_LESS && plan->depth_func != GL_LEQUAL))
-        return NULL;
-    return fgl_fragment_kernels(plan->arith)
-            ->fused[plan->depth_func == GL_LESS ? DEPTH_LESS : DEPTH_LEQUAL][plan->color_source];
+        !(write[0] && write[1] && write[2] && write[3]) || !kernels->fused[depth][plan->color_source])
+        return;
+    if (plan->depth_test && (!plan->depth_write || (plan->depth_func != GL_LESS && plan->depth_func != GL_LEQUAL)))
+        return;
+    plan->fill = kernels->fused[depth][plan->color_source];
+    plan->scatter = kernels->scatter[depth][plan->color_source];
 }
 
 /* Colour index mode: neither colour sum nor alpha test nor blending (GL 1.5, 3.9, 4.1.4, 4.1.8), a logical
@@ -57,6 +57,7 @@ static void validate_index(struct fragment_plan *plan, const struct color_buffer
     plan->color_write = color->index_writemask & FGL_INDEX_MAX && color->draw_buffer != GL_NONE;
     plan->lanes = lanes_of(plan);
     plan->fill = plan->general = fgl_fragment_kernels(plan->arith)->index;
+    plan->scatter = NULL;
 }
 
 /* OSMesa rule: a colour that textures replace is as if it were constant, which decides how quads are split. */
@@ -102,7 +103,8 @@ void fgl_fragment_validate(struct fragment_plan *plan, const struct server_state
     }
     validate_textures(plan, s, general);
 
-    fragment_fill_fn *fused = general ? NULL : fused_kernel(plan);
-    plan->general = fgl_fragment_kernels(plan->arith)->general;
-    plan->fill = fused ? fused : plan->general;
+    plan->fill = plan->general = fgl_fragment_kernels(plan->arith)->general;
+    plan->scatter = NULL;
+    if (!general)
+        choose_fused(plan);
 }

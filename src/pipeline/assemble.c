@@ -30,17 +30,16 @@ static inline const void *clip(const struct pipeline *p, uint32_t v)
     return fgl_cache_clip(&p->cache, &p->plan.emit, v);
 }
 
-/* A filled triangle whose vertices a, b, c were snapped to p, q, r: into the list, if it may cover a pixel. */
-static FGL_ALWAYS_INLINE void add_filled(struct pipeline *pipe, struct snapped p, struct snapped q, struct snapped r, uint32_t a, uint32_t b,
-                                         uint32_t c)
+/* A filled triangle: into the list. */
+static FGL_ALWAYS_INLINE void add_filled(struct pipeline *p, uint32_t a, uint32_t b, uint32_t c)
 {
-    struct triangle_list *t = &pipe->triangles;
+    struct triangle_list *t = &p->triangles;
     if (FGL_UNLIKELY(t->n == TRIANGLES_MAX))
-        fgl_triangles_flush(pipe);
-    if (FGL_UNLIKELY((p.x == SNAP_SPECIAL) | (q.x == SNAP_SPECIAL) | (r.x == SNAP_SPECIAL)))
-        fgl_triangles_add_special(pipe, a, b, c);
-    else
-        fgl_triangles_add(t, &pipe->plan.raster, p, q, r, a, b, c);
+        fgl_triangles_flush(p);
+    uint32_t *vertex = t->vertex[t->n++];
+    vertex[0] = a;
+    vertex[1] = b;
+    vertex[2] = c;
 }
 
 /* A triangle some face of which is drawn as lines or points. */
@@ -69,7 +68,7 @@ static FGL_ALWAYS_INLINE void triangle(const struct assembly *as, int i0, int i1
     struct pipeline *p = as->p;
     const uint32_t a = number(as, i0), b = number(as, i1), c = number(as, i2);
     if (as->filled)
-        add_filled(p, p->cache.snapped[a], p->cache.snapped[b], p->cache.snapped[c], a, b, c);
+        add_filled(p, a, b, c);
     else
         polygon_mode(p, a, b, c, edges);
 }
@@ -136,28 +135,6 @@ static FGL_ALWAYS_INLINE void triangles(const struct assembly *as, int n)
 {
     for (int i = 0; i + 2 < n; i += 3)
         triangle(as, i, i + 1, i + 2, edge(as, i, 0) | edge(as, i + 1, 1) | edge(as, i + 2, 2));
-}
-
-/* The same as triangle_strip: two vertices of each triangle are those of the one before. */
-static FGL_ALWAYS_INLINE void filled_strip(const struct assembly *as, int n)
-{
-    const struct snapped *s = as->p->cache.snapped;
-    if (n < 3)
-        return;
-    uint32_t a = number(as, 0), b = number(as, 1);
-    struct snapped p = s[a], q = s[b];
-    for (int i = 0; i + 2 < n; i++) {
-        const uint32_t c = number(as, i + 2);
-        const struct snapped r = s[c];
-        if (i & 1)
-            add_filled(as->p, q, p, r, b, a, c);
-        else
-            add_filled(as->p, p, q, r, a, b, c);
-        a = b;
-        b = c;
-        p = q;
-        q = r;
-    }
 }
 
 static FGL_ALWAYS_INLINE void triangle_strip(const struct assembly *as, int n)
@@ -248,7 +225,7 @@ static FGL_ALWAYS_INLINE void polygons(const struct assembly *as, GLenum mode, i
 {
     switch (mode) {
     case GL_TRIANGLES: triangles(as, n); break;
-    case GL_TRIANGLE_STRIP: as->filled ? filled_strip(as, n) : triangle_strip(as, n); break;
+    case GL_TRIANGLE_STRIP: triangle_strip(as, n); break;
     case GL_TRIANGLE_FAN: triangle_fan(as, n); break;
     case GL_QUADS: quads(as, n, compiled); break;
     case GL_QUAD_STRIP: quad_strip(as, n); break;

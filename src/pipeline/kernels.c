@@ -2,6 +2,7 @@
 #include "base/cpu.h"
 #include "pipeline/clip_kernel.h"
 #include "pipeline/place_kernel.h"
+#include "pipeline/sieve_kernel.h"
 
 extern const struct clip_kernels FGL_KERNELS(clip);
-const struct clip_kernels FGL_KERNELS(clip) = {clip_triangle, clip_line, place};
+const struct clip_kernels FGL_KERNELS(clip) = {clip_triangle, clip_line, place, sieve};

@@ -136,6 +136,9 @@ struct clip_kernels {
     void (*line)(struct pipeline *p, const struct clip_vertices *in, int *stipple_counter);
     /* Window position, distance and texture coordinates of a raster position; false: it is clipped, nothing is set. */
     bool (*place)(struct context *ctx, const float object[4]);
+    /* Writes those of n triangles that may be seen to `seen`, which has room for n. vertex: the triangles' vertices, readable in whole
+     * groups of SIEVE_GROUP. */
+    struct triangle_section (*sieve)(const struct pipeline *p, const uint32_t (*vertex)[3], int n, struct seen_triangle *seen);
 };
 const struct clip_kernels *fgl_clip_kernels(enum fgl_arith arith);
 

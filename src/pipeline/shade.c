@@ -45,11 +45,10 @@ static int list_chunks(struct pipeline *p, int chunks)
     struct shading *c = p->cache.chunk;
     const struct triangle_list *t = &p->triangles;
     int n = 0;
-    for (int i = 0; i < t->n; i++) {
-        c[t->triangle[i].a / VERTEX_CHUNK].named = true;
-        c[t->triangle[i].b / VERTEX_CHUNK].named = true;
-        c[t->triangle[i].c / VERTEX_CHUNK].named = true;
-    }
+    for (int s = 0; s < fgl_triangles_sections(t); s++)
+        for (int i = 0; i < t->section[s].n; i++)
+            for (int k = 0; k < 3; k++)
+                c[t->seen[s * SECTION_TRIANGLES + i].vertex[k] / VERTEX_CHUNK].named = true;
     for (int i = 0; i < chunks; i++) {
         if (!c[i].named || c[i].shaded)
             continue;

@@ -2,39 +2,31 @@
 #include "pipeline/pipeline.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* Fewer triangles, and less area, than this are not worth waking another thread for. */
-enum { SHARED_TRIANGLES = 1024, SHARED_AREA = 1 << 16, BANDS_PER_WORKER = 4, MIN_BAND_ROWS = 8 };
+enum { SHARED_TRIANGLES = 1024, SHARED_AREA = 1 << 16, SHARED_SECTIONS = 4, BANDS_PER_WORKER = 4, MIN_BAND_ROWS = 8 };
 
 bool fgl_triangles_init(struct triangle_list *t)
 {
-    if (!t->triangle)
-        t->triangle = malloc(sizeof *t->triangle * TRIANGLES_MAX);
-    return t->triangle;
+    if (!t->vertex)
+        t->vertex = malloc(sizeof *t->vertex * TRIANGLES_MAX);
+    if (!t->seen)
+        t->seen = malloc(sizeof *t->seen * TRIANGLES_MAX);
+    return t->vertex && t->seen;
 }
 
 void fgl_triangles_free(struct triangle_list *t)
 {
-    free(t->triangle);
-    t->triangle = NULL;
+    free(t->vertex);
+    free(t->seen);
 }
 
-void fgl_triangles_add_special(struct pipeline *p, uint32_t a, uint32_t b, uint32_t c)
-{
-    const uint32_t *out = p->cache.outcode;
-    struct triangle_list *t = &p->triangles;
-    const struct rect *bounds = &p->plan.raster.bounds;
-    if ((out[a] & out[b] & out[c]) || (out[a] | out[b] | out[c]) == 0) /* all outside of one plane, or too far away to draw */
-        return;
-    t->triangle[t->n++] = (struct listed_triangle){a, b, c, true, (int16_t)bounds->y0, (int16_t)bounds->y1};
-    t->area += (int64_t)(bounds->x1 - bounds->x0) * (bounds->y1 - bounds->y0);
-}
-
-static void fill_triangle(struct pipeline *p, const struct raster_plan *raster, const struct listed_triangle *t)
+static void fill_triangle(struct pipeline *p, const struct raster_plan *raster, const struct seen_triangle *t)
 {
     const struct vertex_cache *v = &p->cache;
     const struct emit_plan *emit = &p->plan.emit;
-    const uint32_t a = t->a, b = t->b, c = t->c;
+    const uint32_t a = t->vertex[0], b = t->vertex[1], c = t->vertex[2];
     const void *va = fgl_cache_record(v, emit, a), *vb = fgl_cache_record(v, emit, b), *vc = fgl_cache_record(v, emit, c);
     if (!t->clip) {
         fgl_raster_triangle(raster, va, vb, vc, vc);
@@ -45,6 +37,42 @@ static void fill_triangle(struct pipeline *p, const struct raster_plan *raster, 
                                      .provoking = vc,
                                      .outcode = v->outcode[a] | v->outcode[b] | v->outcode[c]};
     p->plan.clip->triangle(p, raster, &in);
+}
+
+/* The pixels of a small triangle, to be drawn when a group is full. */
+static void gather_pixels(struct pipeline *p, const struct raster_plan *raster, const struct seen_triangle *t, struct small_pixels *to)
+{
+    const void *v[3];
+    for (int k = 0; k < 3; k++)
+        v[k] = fgl_cache_record(&p->cache, &p->plan.emit, t->vertex[k]);
+    for (uint32_t mask = t->mask; mask; mask &= mask - 1) {
+        const int bit = fgl_lowest_bit(mask), y = t->y0 + bit / SMALL_SIDE;
+        if (y < raster->bounds.y0 || y >= raster->bounds.y1)
+            continue;
+        const int i = to->n++;
+        to->x[i] = t->x + bit % SMALL_SIDE;
+        to->y[i] = y;
+        to->vertex[0][i] = v[t->ccw ? 0 : 1];
+        to->vertex[1][i] = v[t->ccw ? 1 : 0];
+        to->vertex[2][i] = v[2];
+        to->color[i] = raster->two_sided && t->ccw != raster->front_is_ccw ? raster->back_lane : LANE_COLOR;
+        if (to->n == SMALL_PIXELS)
+            raster->kernels->small_pixels(raster, to);
+    }
+}
+
+static void fill_section(struct pipeline *p, const struct raster_plan *raster, const struct seen_triangle *t, int n, struct small_pixels *pixels)
+{
+    for (int i = 0; i < n; i++) {
+        if (t[i].y0 >= raster->bounds.y1 || t[i].y1 <= raster->bounds.y0)
+            continue;
+        if (t[i].mask && raster->scatters) {
+            gather_pixels(p, raster, &t[i], pixels);
+        } else {
+            raster->kernels->small_pixels(raster, pixels); /* in the order given */
+            fill_triangle(p, raster, &t[i]);
+        }
+    }
 }
 
 /* Fills all triangles of the list within the rows of one band. */
@@ -62,36 +90,61 @@ static void fill_band(void *arg, int band, int worker)
     const int height = raster.bounds.y1 - raster.bounds.y0, top = raster.bounds.y0;
     raster.bounds.y0 = top + height * band / job->bands;
     raster.bounds.y1 = top + height * (band + 1) / job->bands;
-    for (int i = 0; i < t->n; i++)
-        if (t->triangle[i].y0 < raster.bounds.y1 && t->triangle[i].y1 > raster.bounds.y0)
-            fill_triangle(job->p, &raster, &t->triangle[i]);
+    struct small_pixels pixels = {.n = 0};
+    for (int k = 0; k < fgl_triangles_sections(t); k++)
+        fill_section(job->p, &raster, t->seen + k * SECTION_TRIANGLES, t->section[k].n, &pixels);
+    raster.kernels->small_pixels(&raster, &pixels);
 }
 
 /* One triangle after the other, each made known, for explain. */
 static void fill_in_order(struct pipeline *p)
 {
-    struct triangle_list *t = &p->triangles;
-    for (int i = 0; i < t->n; i++) {
-        const struct listed_triangle *triangle = &t->triangle[i];
-        p->primitive = (struct primitive){3, {triangle->a, triangle->b, triangle->c}};
-        fill_triangle(p, &p->plan.raster, triangle);
-    }
-    t->n = 0;
-    t->area = 0;
+    const struct triangle_list *t = &p->triangles;
+    for (int k = 0; k < fgl_triangles_sections(t); k++)
+        for (int i = 0; i < t->section[k].n; i++) {
+            const struct seen_triangle *seen = &t->seen[k * SECTION_TRIANGLES + i];
+            p->primitive.n = 3;
+            memcpy(p->primitive.vertex, seen->vertex, sizeof seen->vertex);
+            fill_triangle(p, &p->plan.raster, seen);
+        }
 }
 
-void fgl_triangles_flush(struct pipeline *p)
+static void sieve_section(void *arg, int item, int worker)
+{
+    (void)worker;
+    struct pipeline *p = arg;
+    struct triangle_list *t = &p->triangles;
+    const int first = item * SECTION_TRIANGLES;
+    t->section[item] = p->plan.clip->sieve(p, t->vertex + first, fgl_min(t->n - first, SECTION_TRIANGLES), t->seen + first);
+}
+
+/* Sieves all sections. */
+static void sieve(struct pipeline *p)
 {
     struct triangle_list *t = &p->triangles;
-    if (t->n == 0)
-        return;
-    if (p->unshaded)
-        fgl_shade_listed(p);
-    if (FGL_UNLIKELY(p->one_by_one)) {
-        fill_in_order(p);
+    const int sections = fgl_triangles_sections(t);
+    for (int i = t->n; i % SIEVE_GROUP; i++)
+        memset(t->vertex[i], 0, sizeof t->vertex[i]);
+    if (sections >= SHARED_SECTIONS && fgl_pipeline_workers(p)) {
+        fgl_workers_run(p->workers, sections, sieve_section, p);
         return;
     }
-    const bool worth = t->n > 1 && (t->n >= SHARED_TRIANGLES || t->area >= SHARED_AREA);
+    for (int i = 0; i < sections; i++)
+        sieve_section(p, i, 0);
+}
+
+/* Fills what is seen: in bands of rows, if that is worth waking other threads. */
+static void fill(struct pipeline *p)
+{
+    const struct triangle_list *t = &p->triangles;
+    int64_t n = 0, area = 0;
+    for (int k = 0; k < fgl_triangles_sections(t); k++) {
+        n += t->section[k].n;
+        area += t->section[k].area;
+    }
+    if (n == 0)
+        return;
+    const bool worth = n > 1 && (n >= SHARED_TRIANGLES || area >= SHARED_AREA);
     struct workers *w = worth ? fgl_pipeline_workers(p) : NULL;
     struct fill_job job = {p, 1};
     if (w && fgl_workers_count(w) > 1) {
@@ -101,6 +154,19 @@ void fgl_triangles_flush(struct pipeline *p)
     } else {
         fill_band(&job, 0, 0);
     }
+}
+
+void fgl_triangles_flush(struct pipeline *p)
+{
+    struct triangle_list *t = &p->triangles;
+    if (t->n == 0)
+        return;
+    sieve(p);
+    if (p->unshaded)
+        fgl_shade_listed(p);
+    if (FGL_UNLIKELY(p->one_by_one))
+        fill_in_order(p);
+    else
+        fill(p);
     t->n = 0;
-    t->area = 0;
 }

@@ -9,7 +9,7 @@
 static FGL_ALWAYS_INLINE void setup_planes(const struct raster_plan *plan, struct planes *planes,
                                            const real *const v[3], const real *provoking, bool front)
 {
-    const struct gradients g = gradients_of(v);
+    const struct gradients g = gradients_of_triangle(v);
     const bool back = plan->two_sided && !front, secondary = plan->secondary;
     const int color = back ? plan->back_lane : LANE_COLOR;
 
@@ -34,7 +34,7 @@ static FGL_ALWAYS_INLINE void setup_planes(const struct raster_plan *plan, struc
 static void setup_smooth_planes(const struct raster_plan *plan, struct planes *planes,
                                 const real *const v[3], const real *provoking, enum smoothing smoothing)
 {
-    const struct gradients g = gradients_of(v);
+    const struct gradients g = gradients_of_triangle(v);
     for (int lane = LANE_COLOR; lane < plan->lanes; lane += LANE_GROUP)
         plane_lanes(planes, lane, LANE_GROUP, true, &g, v, lane);
     plane_lanes(planes, 0, LANE_COLOR, false, &g, v, 0);
@@ -134,6 +134,8 @@ static void snap_vertices(const struct vertex_batch *batch, struct snapped *out)
 #include "raster/line_kernel.h"
 #include "raster/point_kernel.h"
 #include "raster/polygon_kernel.h"
+#include "raster/small_kernel.h"
 
 extern const struct raster_kernels FGL_KERNELS(raster);
-const struct raster_kernels FGL_KERNELS(raster) = {triangle, polygon_mode, draw_line, draw_point, snap_vertices};
+const struct raster_kernels FGL_KERNELS(raster) = {triangle, polygon_mode, draw_line, draw_point, snap_vertices,
+                                                  draw_small_pixels};

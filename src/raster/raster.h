@@ -24,6 +24,15 @@ struct snapped {
 };
 #define SNAP_SPECIAL INT32_MIN
 
+/* Pixels of small triangles, gathered to be drawn together. */
+enum { SMALL_PIXELS = 16 };
+struct small_pixels {
+    int n;
+    int32_t x[SMALL_PIXELS], y[SMALL_PIXELS];
+    const void *vertex[3][SMALL_PIXELS]; /* raster vertices of the pixel's triangle, counter-clockwise, provoking last */
+    int color[SMALL_PIXELS];             /* the lane where its face's colour begins */
+};
+
 /* The kernels of one instruction set and one arithmetic (kernels.c). Every set gives the same bytes. Vertices and
  * provoking vertices are raster vertices. */
 struct raster_plan;
@@ -40,12 +49,15 @@ struct raster_kernels {
     raster_point_fn *point;
     /* the window positions of a batch */
     void (*snap)(const struct vertex_batch *batch, struct snapped *out);
+    /* Draws the pixels, in their order, and empties the group. */
+    void (*small_pixels)(const struct raster_plan *plan, struct small_pixels *pixels);
 };
 
 struct raster_plan {
     const struct raster_kernels *kernels;
     raster_triangle_fn *triangle; /* the kernel, or the longer road of polygon_kernel.h */
     bool longer_road;
+    bool scatters; /* pixels of small triangles may be drawn by kernels->small_pixels */
     /* What becomes of primitives at the end of the longer road, of lines and of points: they are drawn, or
      * taken by feedback or selection (pipeline/feedback.h), whose context `taker` is. */
     raster_triangle_fn *filled;

@@ -13,19 +13,40 @@ struct gradients {
     real oow[3]; /* 1/w of the vertices */
 };
 
-static FGL_ALWAYS_INLINE struct gradients gradients_of(const real *const v[3])
+/* Where a vertex is. */
+struct window_vertex {
+    real x, y, oow;
+};
+
+static FGL_ALWAYS_INLINE struct window_vertex window_vertex(const real *v)
 {
-    const real *const v0 = v[0], *const v1 = v[1], *const v2 = v[2];
-    const real x01 = v0[LANE_X] - v1[LANE_X], y01 = v0[LANE_Y] - v1[LANE_Y];
-    const real x20 = v2[LANE_X] - v0[LANE_X], y20 = v2[LANE_Y] - v0[LANE_Y];
+    return (struct window_vertex){v[LANE_X], v[LANE_Y], v[LANE_OOW]};
+}
+
+static FGL_ALWAYS_INLINE struct gradients gradients_of(struct window_vertex v0, struct window_vertex v1, struct window_vertex v2)
+{
+    const real x01 = v0.x - v1.x, y01 = v0.y - v1.y, x20 = v2.x - v0.x, y20 = v2.y - v0.y;
     const real e = x01 * y20, f = y01 * x20, ooa = R_EXACT && e == f ? 0 : 1 / (e - f);
-    return (struct gradients){x01 * ooa,
-                              y01 * ooa,
-                              x20 * ooa,
-                              y20 * ooa,
-                              v0[LANE_X] - (real)0.5,
-                              v0[LANE_Y] - (real)0.5,
-                              {v0[LANE_OOW], v1[LANE_OOW], v2[LANE_OOW]}};
+    return (struct gradients){x01 * ooa,         y01 * ooa,         x20 * ooa,
+                              y20 * ooa,         v0.x - (real)0.5, v0.y - (real)0.5,
+                              {v0.oow, v1.oow, v2.oow}};
+}
+
+static FGL_ALWAYS_INLINE struct gradients gradients_of_triangle(const real *const v[3])
+{
+    return gradients_of(window_vertex(v[0]), window_vertex(v[1]), window_vertex(v[2]));
+}
+
+struct plane {
+    real a00, dadx, dady;
+};
+
+/* The plane of a value that is linear in window space, from its values at the vertices. */
+static FGL_ALWAYS_INLINE struct plane plane_of(const struct gradients *g, real a0, real a1, real a2)
+{
+    const real d01 = a0 - a1, d20 = a2 - a0;
+    const real dx = d01 * g->y20 - d20 * g->y01, dy = d20 * g->x01 - d01 * g->x20;
+    return (struct plane){a0 - (dx * g->x0 + dy * g->y0), dx, dy};
 }
 
 /* The planes of lanes first .. first + n, whose values stand in the vertices from lane `from` on. Attributes
@@ -40,11 +61,10 @@ static FGL_ALWAYS_INLINE void plane_lanes(struct planes *p, int first, const int
     for (int i = 0; i < n; i++) {
         const real a0 = attribute ? v0[i] * g->oow[0] : v0[i], a1 = attribute ? v1[i] * g->oow[1] : v1[i],
                     a2 = attribute ? v2[i] * g->oow[2] : v2[i];
-        const real d01 = a0 - a1, d20 = a2 - a0;
-        const real dx = d01 * g->y20 - d20 * g->y01, dy = d20 * g->x01 - d01 * g->x20;
-        dadx[i] = dx;
-        dady[i] = dy;
-        a00[i] = a0 - (dx * g->x0 + dy * g->y0);
+        const struct plane plane = plane_of(g, a0, a1, a2);
+        a00[i] = plane.a00;
+        dadx[i] = plane.dadx;
+        dady[i] = plane.dady;
     }
 }
 

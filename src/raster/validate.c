@@ -82,5 +82,6 @@ void fgl_raster_validate(struct raster_plan *plan, const struct server_state *s,
     plan->point_smooth = s->point.point_smooth;
     plan->point_sprite = s->point.point_sprite;
     plan->longer_road = takes_longer_road(plan);
+    plan->scatters = fragment->scatter && !plan->longer_road && !plan->offset_fill;
     plan->triangle = plan->longer_road ? filled_triangle : plan->kernels->triangle;
 }
