@@ -1292,6 +1292,45 @@ typedef void (APIENTRYP PFNGLGETCOMPRESSEDTEXIMAGEARBPROC)(GLenum target, GLint 
 #define GL_DOT3_RGBA_ARB                           0x86AF
 #endif
 
+#ifndef GL_EXT_pixel_buffer_object
+#define GL_EXT_pixel_buffer_object 1
+#define GL_PIXEL_PACK_BUFFER_EXT                   0x88EB
+#define GL_PIXEL_UNPACK_BUFFER_EXT                 0x88EC
+#define GL_PIXEL_PACK_BUFFER_BINDING_EXT           0x88ED
+#define GL_PIXEL_UNPACK_BUFFER_BINDING_EXT         0x88EF
+#endif
+
+/* The same names in OpenGL 2.1. */
+#ifndef GL_PIXEL_PACK_BUFFER
+#define GL_PIXEL_PACK_BUFFER                       0x88EB
+#define GL_PIXEL_UNPACK_BUFFER                     0x88EC
+#define GL_PIXEL_PACK_BUFFER_BINDING               0x88ED
+#define GL_PIXEL_UNPACK_BUFFER_BINDING             0x88EF
+#endif
+
+/* glMapBufferRange maps a part of a buffer object, for reading, writing or both: GL_MAP_READ_BIT, GL_MAP_WRITE_BIT. The other bits are hints,
+ * but GL_MAP_FLUSH_EXPLICIT_BIT, which allows glFlushMappedBufferRange.
+ * Errors: GL_INVALID_VALUE outside of the buffer or for other bits; GL_INVALID_OPERATION for no length, no access, one that contradicts
+ * itself, and a buffer that is mapped or none. */
+#ifndef GL_ARB_map_buffer_range
+#define GL_ARB_map_buffer_range 1
+#define GL_MAP_READ_BIT                            0x0001
+#define GL_MAP_WRITE_BIT                           0x0002
+#define GL_MAP_INVALIDATE_RANGE_BIT                0x0004
+#define GL_MAP_INVALIDATE_BUFFER_BIT               0x0008
+#define GL_MAP_FLUSH_EXPLICIT_BIT                  0x0010
+#define GL_MAP_UNSYNCHRONIZED_BIT                  0x0020
+#define GL_BUFFER_ACCESS_FLAGS                     0x911F
+#define GL_BUFFER_MAP_LENGTH                       0x9120
+#define GL_BUFFER_MAP_OFFSET                       0x9121
+#ifdef GL_GLEXT_PROTOTYPES
+GLAPI void *GLAPIENTRY glMapBufferRange(GLenum target, GLintptr offset, GLsizeiptr length, GLbitfield access);
+GLAPI void GLAPIENTRY glFlushMappedBufferRange(GLenum target, GLintptr offset, GLsizeiptr length);
+#endif
+typedef void *(GLAPIENTRYP PFNGLMAPBUFFERRANGEPROC)(GLenum target, GLintptr offset, GLsizeiptr length, GLbitfield access);
+typedef void(GLAPIENTRYP PFNGLFLUSHMAPPEDBUFFERRANGEPROC)(GLenum target, GLintptr offset, GLsizeiptr length);
+#endif
+
 /* Mirrored images, as in OpenGL 1.4. */
 #ifndef GL_ARB_texture_mirrored_repeat
 #define GL_ARB_texture_mirrored_repeat 1

@@ -136,6 +136,8 @@ void fgl_exec_PushClientAttrib(struct context *ctx, GLbitfield mask)
     e->state = ctx->client;
     if (mask & GL_CLIENT_VERTEX_ARRAY_BIT)
         fgl_buffer_retain_arrays(&e->state.arrays);
+    if (mask & GL_CLIENT_PIXEL_STORE_BIT)
+        fgl_buffer_retain_pixels(&e->state);
 }
 
 void fgl_exec_PopClientAttrib(struct context *ctx)
@@ -144,6 +146,7 @@ void fgl_exec_PopClientAttrib(struct context *ctx)
     const struct client_attrib_entry *e = &ctx->client_attrib_stack[--ctx->client_attrib_depth];
 
     if (e->mask & GL_CLIENT_PIXEL_STORE_BIT) {
+        fgl_buffer_release_pixels(&ctx->client);
         ctx->client.pack = e->state.pack;
         ctx->client.unpack = e->state.unpack;
     }
@@ -155,9 +158,14 @@ void fgl_exec_PopClientAttrib(struct context *ctx)
 
 void fgl_client_attrib_destroy(struct context *ctx)
 {
-    for (int i = 0; i < ctx->client_attrib_depth; i++)
-        if (ctx->client_attrib_stack[i].mask & GL_CLIENT_VERTEX_ARRAY_BIT)
-            fgl_buffer_release_arrays(&ctx->client_attrib_stack[i].state.arrays);
+    for (int i = 0; i < ctx->client_attrib_depth; i++) {
+        struct client_attrib_entry *e = &ctx->client_attrib_stack[i];
+        if (e->mask & GL_CLIENT_VERTEX_ARRAY_BIT)
+            fgl_buffer_release_arrays(&e->state.arrays);
+        if (e->mask & GL_CLIENT_PIXEL_STORE_BIT)
+            fgl_buffer_release_pixels(&e->state);
+    }
     fgl_buffer_release_arrays(&ctx->client.arrays);
+    fgl_buffer_release_pixels(&ctx->client);
     free(ctx->client_attrib_stack);
 }

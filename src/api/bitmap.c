@@ -2,6 +2,7 @@
 #include "api/command.h"
 #include "api/framebuffer_object.h"
 #include "api/list.h"
+#include "api/pixel_buffer.h"
 #include "api/pixel_image.h"
 #include "api/set.h"
 #include "framebuffer/pixel_unpack.h"
@@ -69,7 +70,7 @@ struct bitmap_node {
 };
 
 static void record(struct context *ctx, int width, int height, const float origin[2], const float move[2],
-                   const GLubyte *bitmap)
+                   const void *bitmap)
 {
     if (!bitmap)
         width = height = 0;
@@ -99,9 +100,12 @@ void GLAPIENTRY glBitmap(GLsizei width, GLsizei height, GLfloat xorig, GLfloat y
         fgl_command_error(ctx, GL_INVALID_VALUE);
         return;
     }
+    const void *bits = bitmap;
+    if (!fgl_buffer_image(ctx, &ctx->client.unpack, GL_COLOR_INDEX, GL_BITMAP, width, height, &bits))
+        return;
     const float origin[2] = {xorig, yorig}, move[2] = {xmove, ymove};
     if (ctx->compiling)
-        record(ctx, width, height, origin, move, bitmap);
+        record(ctx, width, height, origin, move, bits);
     if (ctx->compiling != GL_COMPILE)
-        fgl_bitmap(ctx, width, height, origin, move, &ctx->client.unpack, bitmap);
+        fgl_bitmap(ctx, width, height, origin, move, &ctx->client.unpack, bits);
 }

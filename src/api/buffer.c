@@ -1,4 +1,4 @@
-/* Buffer objects: names, data stores, mapping, queries (GL 1.5, 2.9 "Buffer Objects", 6.1.13 "Buffer Object Queries"). */
+/* Buffer objects: names, data stores, queries (GL 1.5, 2.9 "Buffer Objects", 6.1.13 "Buffer Object Queries"). */
 #include "api/buffer.h"
 
 #include "api/command.h"
@@ -45,6 +45,18 @@ void fgl_buffer_retain_arrays(struct client_array_state *arrays)
     retain(arrays->element_array_buffer);
     for (int a = 0; a < ATTR_MATERIAL; a++)
         retain(arrays->array[a].buffer);
+}
+
+void fgl_buffer_retain_pixels(struct client_state *client)
+{
+    retain(client->pack.buffer);
+    retain(client->unpack.buffer);
+}
+
+void fgl_buffer_release_pixels(struct client_state *client)
+{
+    release(client->pack.buffer);
+    release(client->unpack.buffer);
 }
 
 void fgl_buffer_release_arrays(struct client_array_state *arrays)
@@ -103,8 +115,13 @@ void fgl_exec_GenBuffers(struct context *ctx, GLsizei n, GLuint *buffers)
 }
 
 /* GL 1.5, 2.9: where a deleted object is bound in this context, 0 takes its place. */
-static void unbind(struct client_array_state *arrays, const struct buffer_object *b)
+static void unbind(struct client_state *client, const struct buffer_object *b)
 {
+    struct client_array_state *arrays = &client->arrays;
+    if (client->pack.buffer == b)
+        fgl_buffer_refer(&client->pack.buffer, NULL);
+    if (client->unpack.buffer == b)
+        fgl_buffer_refer(&client->unpack.buffer, NULL);
     if (arrays->array_buffer == b)
         fgl_buffer_refer(&arrays->array_buffer, NULL);
     if (arrays->element_array_buffer == b)
@@ -121,8 +138,8 @@ void fgl_exec_DeleteBuffers(struct context *ctx, GLsizei n, const GLuint *buffer
         struct buffer_object *b = fgl_idmap_remove(&ctx->buffers->map, buffers[i]);
         if (!b)
             continue;
-        unbind(&ctx->client.arrays, b);
-        b->mapped = false;
+        unbind(&ctx->client, b);
+        fgl_buffer_unmap(b);
         release(b);
     }
 }
@@ -139,6 +156,8 @@ static struct buffer_object **binding(struct context *ctx, GLenum target)
     switch (target) {
     case GL_ARRAY_BUFFER: return &ctx->client.arrays.array_buffer;
     case GL_ELEMENT_ARRAY_BUFFER: return &ctx->client.arrays.element_array_buffer;
+    case GL_PIXEL_PACK_BUFFER: return &ctx->client.pack.buffer;
+    case GL_PIXEL_UNPACK_BUFFER: return &ctx->client.unpack.buffer;
     default: fgl_error(ctx, GL_INVALID_ENUM); return NULL;
     }
 }
@@ -156,8 +175,7 @@ void fgl_exec_BindBuffer(struct context *ctx, GLenum target, GLuint buffer)
     fgl_buffer_refer(slot, b);
 }
 
-/* The object that is bound to the target; NULL after recording an error. */
-static struct buffer_object *bound(struct context *ctx, GLenum target)
+struct buffer_object *fgl_buffer_bound(struct context *ctx, GLenum target)
 {
     struct buffer_object **slot = binding(ctx, target);
     if (!slot)
@@ -180,7 +198,7 @@ static bool is_usage(GLenum usage)
 
 void fgl_exec_BufferData(struct context *ctx, GLenum target, GLsizeiptr size, const GLvoid *data, GLenum usage)
 {
-    struct buffer_object *b = bound(ctx, target);
+    struct buffer_object *b = fgl_buffer_bound(ctx, target);
     if (!b)
         return;
     RETURN_ERROR_IF(ctx, !is_usage(usage), GL_INVALID_ENUM);
@@ -194,14 +212,13 @@ void fgl_exec_BufferData(struct context *ctx, GLenum target, GLsizeiptr size, co
     b->data = store;
     b->size = (size_t)size;
     b->usage = usage;
-    b->access = GL_READ_WRITE;
-    b->mapped = false;
+    fgl_buffer_unmap(b);
 }
 
 /* The object, if `size` bytes from offset on lie in it and may be touched; NULL after recording an error. */
 static struct buffer_object *part(struct context *ctx, GLenum target, GLintptr offset, GLsizeiptr size)
 {
-    struct buffer_object *b = bound(ctx, target);
+    struct buffer_object *b = fgl_buffer_bound(ctx, target);
     if (!b)
         return NULL;
     RETURN_VALUE_ERROR_IF(ctx, offset < 0 || size < 0, GL_INVALID_VALUE, NULL);
@@ -224,36 +241,11 @@ void fgl_exec_GetBufferSubData(struct context *ctx, GLenum target, GLintptr offs
         memcpy(data, b->data + offset, (size_t)size);
 }
 
-/* OSMesa rule: an empty buffer cannot be mapped. */
-GLvoid *fgl_exec_MapBuffer(struct context *ctx, GLenum target, GLenum access)
-{
-    RETURN_VALUE_ERROR_IF(ctx, access != GL_READ_ONLY && access != GL_WRITE_ONLY && access != GL_READ_WRITE, GL_INVALID_ENUM, NULL);
-    struct buffer_object *b = bound(ctx, target);
-    if (!b)
-        return NULL;
-    RETURN_VALUE_ERROR_IF(ctx, b->mapped, GL_INVALID_OPERATION, NULL);
-    RETURN_VALUE_ERROR_IF(ctx, !b->size, GL_INVALID_OPERATION, NULL);
-    b->access = access;
-    b->mapped = true;
-    return b->data;
-}
-
-GLboolean fgl_exec_UnmapBuffer(struct context *ctx, GLenum target)
-{
-    struct buffer_object *b = bound(ctx, target);
-    if (!b)
-        return GL_FALSE;
-    RETURN_VALUE_ERROR_IF(ctx, !b->mapped, GL_INVALID_OPERATION, GL_FALSE);
-    b->mapped = false;
-    b->access = GL_READ_WRITE; /* OSMesa rule */
-    return GL_TRUE;
-}
-
 /* ---- queries ---- */
 
 void fgl_exec_GetBufferParameteriv(struct context *ctx, GLenum target, GLenum pname, GLint *params)
 {
-    const struct buffer_object *b = bound(ctx, target);
+    const struct buffer_object *b = fgl_buffer_bound(ctx, target);
     if (!b)
         return;
     switch (pname) {
@@ -261,14 +253,9 @@ void fgl_exec_GetBufferParameteriv(struct context *ctx, GLenum target, GLenum pn
     case GL_BUFFER_USAGE: *params = (GLint)b->usage; break;
     case GL_BUFFER_ACCESS: *params = (GLint)b->access; break;
     case GL_BUFFER_MAPPED: *params = b->mapped; break;
+    case GL_BUFFER_ACCESS_FLAGS: *params = (GLint)b->access_flags; break;
+    case GL_BUFFER_MAP_OFFSET: *params = (GLint)b->map_offset; break;
+    case GL_BUFFER_MAP_LENGTH: *params = (GLint)b->map_length; break;
     default: fgl_error(ctx, GL_INVALID_ENUM); break;
     }
-}
-
-void fgl_exec_GetBufferPointerv(struct context *ctx, GLenum target, GLenum pname, GLvoid **params)
-{
-    RETURN_ERROR_IF(ctx, pname != GL_BUFFER_MAP_POINTER, GL_INVALID_ENUM);
-    const struct buffer_object *b = bound(ctx, target);
-    if (b)
-        *params = b->mapped ? b->data : NULL;
 }

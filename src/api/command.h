@@ -13,7 +13,6 @@ int fgl_count_point(GLenum pname);
 int fgl_count_texture(GLenum pname);
 int fgl_count_texture_env(GLenum pname);
 int fgl_count_texgen(GLenum pname);
-int fgl_count_pixel_map(GLsizei mapsize);
 int fgl_count_color_table(GLenum pname);
 int fgl_count_convolution(GLenum pname);
 
@@ -39,6 +38,7 @@ enum fgl_opcode {
     OP_CALL_LIST,
     OP_CALL_LISTS,
     OP_POLYGON_STIPPLE,
+    OP_PIXEL_MAP,
     OP_RECT,
     OP_BITMAP,
     OP_DRAW_PIXELS,

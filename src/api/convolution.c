@@ -190,8 +190,8 @@ void fgl_exec_GetSeparableFilter(struct context *ctx, GLenum target, GLenum form
     const struct convolution_filter *f = &ctx->imaging->filter[FILTER_SEPARABLE];
     const float *const rows[4] = {f->value[0], f->value[1], f->value[2], f->value[3]};
     const float *const columns[4] = {f->column[0], f->column[1], f->column[2], f->column[3]};
-    fgl_imaging_return(ctx, f->format.base_format, format, type, rows, f->format.width, 1, row);
-    fgl_imaging_return(ctx, f->format.base_format, format, type, columns, f->height, 1, column);
+    if (fgl_imaging_return(ctx, f->format.base_format, format, type, rows, f->format.width, 1, row))
+        fgl_imaging_return(ctx, f->format.base_format, format, type, columns, f->height, 1, column);
 }
 
 /* The number of values; 0 after recording an error. */

@@ -2,6 +2,7 @@
 #include "api/command.h"
 #include "api/framebuffer_object.h"
 #include "api/list.h"
+#include "api/pixel_buffer.h"
 #include "api/pixel_image.h"
 #include "api/set.h"
 #include "framebuffer/pixel_unpack.h"
@@ -62,6 +63,8 @@ void GLAPIENTRY glDrawPixels(GLsizei width, GLsizei height, GLenum format, GLenu
         fgl_command_error(ctx, error);
         return;
     }
+    if (!fgl_buffer_image(ctx, &ctx->client.unpack, format, type, width, height, &pixels))
+        return;
     if (ctx->compiling)
         record(ctx, width, height, format, type, pixels);
     if (ctx->compiling != GL_COMPILE)

@@ -3,6 +3,7 @@
 #include "api/convert.h"
 #include "api/imaging.h"
 #include "api/list.h"
+#include "api/pixel_buffer.h"
 #include "api/set.h"
 #include "framebuffer/pixel_pack.h"
 
@@ -88,17 +89,21 @@ void fgl_exec_ResetMinmax(struct context *ctx, GLenum target)
 
 /* ---- queries ---- */
 
-static void return_counts(struct context *ctx, const struct histogram *histogram, GLenum format, GLenum type, void *values)
+static bool return_counts(struct context *ctx, const struct histogram *histogram, GLenum format, GLenum type, void *values)
 {
     static const uint32_t zeros[PIXEL_CHUNK];
     const int width = histogram->format.width;
-    const struct pixel_pack pack = {.image = fgl_pixel_image(&ctx->client.pack, format, type, width, values)};
+    const void *to = values;
+    if (!fgl_buffer_image(ctx, &ctx->client.pack, format, type, width, 1, &to))
+        return false;
+    const struct pixel_pack pack = {.image = fgl_pixel_image(&ctx->client.pack, format, type, width, to)};
     for (int x = 0; x < width; x += PIXEL_CHUNK) {
         const uint32_t *count[4];
         for (int c = 0; c < 4; c++)
             count[c] = fgl_imaging_has(histogram->format.base_format, c) ? histogram->count[c] + x : zeros;
         fgl_pack_counts(&pack, count, fgl_min(PIXEL_CHUNK, width - x), 0, x);
     }
+    return true;
 }
 
 void fgl_exec_GetHistogram(struct context *ctx, GLenum target, GLboolean reset, GLenum format, GLenum type, GLvoid *values)
@@ -107,8 +112,7 @@ void fgl_exec_GetHistogram(struct context *ctx, GLenum target, GLboolean reset, 
     const GLenum error = fgl_imaging_pixels_error(format, type);
     RETURN_ERROR_IF(ctx, error, error);
     RETURN_ERROR_IF(ctx, !fgl_imaging(ctx), GL_OUT_OF_MEMORY);
-    return_counts(ctx, &ctx->imaging->histogram, format, type, values);
-    if (reset)
+    if (return_counts(ctx, &ctx->imaging->histogram, format, type, values) && reset)
         fgl_exec_ResetHistogram(ctx, target);
 }
 
@@ -120,8 +124,7 @@ void fgl_exec_GetMinmax(struct context *ctx, GLenum target, GLboolean reset, GLe
     RETURN_ERROR_IF(ctx, !fgl_imaging(ctx), GL_OUT_OF_MEMORY);
     const struct minmax *m = &ctx->imaging->minmax;
     const float *const value[4] = {m->value[0], m->value[1], m->value[2], m->value[3]};
-    fgl_imaging_return(ctx, m->format.base_format, format, type, value, 2, 1, values);
-    if (reset)
+    if (fgl_imaging_return(ctx, m->format.base_format, format, type, value, 2, 1, values) && reset)
         fgl_exec_ResetMinmax(ctx, target);
 }
 

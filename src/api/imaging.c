@@ -5,6 +5,7 @@
 #include "api/errors.h"
 #include "api/framebuffer_object.h"
 #include "api/list.h"
+#include "api/pixel_buffer.h"
 #include "framebuffer/pixel_pack.h"
 #include "texture/format.h"
 
@@ -85,10 +86,13 @@ bool fgl_imaging_colors(struct context *ctx, const struct imaging_call *call, co
 
 /* ---- images out ---- */
 
-void fgl_imaging_return(struct context *ctx, GLenum base_format, GLenum format, GLenum type, const float *const value[4], int width,
+bool fgl_imaging_return(struct context *ctx, GLenum base_format, GLenum format, GLenum type, const float *const value[4], int width,
                         int height, void *pixels)
 {
-    const struct pixel_pack pack = {.image = fgl_pixel_image(&ctx->client.pack, format, type, width, pixels)};
+    const void *to = pixels;
+    if (!fgl_buffer_image(ctx, &ctx->client.pack, format, type, width, height, &to))
+        return false;
+    const struct pixel_pack pack = {.image = fgl_pixel_image(&ctx->client.pack, format, type, width, to)};
     struct fetched_row row = {.bits = 0};
     for (int y = 0; y < height; y++)
         for (int x = 0; x < width; x += PIXEL_CHUNK) {
@@ -99,6 +103,7 @@ void fgl_imaging_return(struct context *ctx, GLenum base_format, GLenum format, 
                     row.color.channel[c][i] = fgl_imaging_has(base_format, c) ? value[c][y * width + x + i] : 0.0f;
             fgl_pack_colors(&pack, &row, true, n, y, x);
         }
+    return true;
 }
 
 /* ---- display lists ---- */
@@ -157,16 +162,29 @@ void fgl_list_replay_imaging(struct context *ctx, const void *payload)
     execute(ctx, &node->call, &pixels);
 }
 
+/* Images in a buffer object. A call that raises another error, or reads no image, is left to raise it. */
+static bool find_images(struct context *ctx, const struct imaging_call *call, const void *images[2])
+{
+    const struct pixel_store *store = &ctx->client.unpack;
+    const bool separable = call->image == IMAGE_FILTER_SEPARABLE;
+    if (call->copy || is_proxy(call) || call->width < 0 || call->height < 0 || fgl_imaging_pixels_error(call->format, call->type))
+        return true;
+    return fgl_buffer_image(ctx, store, call->format, call->type, call->width, separable ? 1 : call->height, &images[0]) &&
+           (!separable || fgl_buffer_image(ctx, store, call->format, call->type, call->height, 1, &images[1]));
+}
+
 void fgl_imaging_command(const struct imaging_call *call, const void *image, const void *column)
 {
     struct context *ctx = fgl_current;
-    const void *const images[2] = {image, column};
     if (!ctx || fgl_refused_inside(ctx))
+        return;
+    const void *images[2] = {image, column};
+    if (!find_images(ctx, call, images))
         return;
     if (ctx->compiling && !is_proxy(call))
         record(ctx, call, images);
     if (ctx->compiling == GL_COMPILE && !is_proxy(call))
         return;
-    const struct imaging_pixels pixels = {&ctx->client.unpack, {image, column}};
+    const struct imaging_pixels pixels = {&ctx->client.unpack, {images[0], images[1]}};
     execute(ctx, call, &pixels);
 }

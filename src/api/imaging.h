@@ -47,8 +47,8 @@ GLenum fgl_imaging_source_error(struct context *ctx, const struct imaging_call *
 bool fgl_imaging_colors(struct context *ctx, const struct imaging_call *call, const struct imaging_pixels *pixels, int which, int width,
                         int height, const struct scale_bias *transform, struct color_image *out);
 
-/* Writes a table or filter to the caller's memory; components that its format does not have are 0. */
-void fgl_imaging_return(struct context *ctx, GLenum base_format, GLenum format, GLenum type, const float *const value[4], int width,
+/* Writes a table or filter to the caller's memory; components that its format does not have are 0. False after recording an error. */
+bool fgl_imaging_return(struct context *ctx, GLenum base_format, GLenum format, GLenum type, const float *const value[4], int width,
                         int height, void *pixels);
 
 /* The place of a component's size among ..._RED_SIZE, GREEN, BLUE, ALPHA, LUMINANCE, INTENSITY_SIZE, as its bits. */

@@ -291,6 +291,7 @@ static void execute_node(struct context *ctx, struct node *node)
     case OP_IMAGING_IMAGE: fgl_list_replay_imaging(ctx, payload); break;
     case OP_HISTOGRAM: fgl_list_replay_histogram(ctx, payload); break;
     case OP_PRIORITIZE_TEXTURE: fgl_list_replay_prioritize(ctx, payload); break;
+    case OP_PIXEL_MAP: fgl_list_replay_pixel_map(ctx, payload); break;
     case OP_POLYGON_STIPPLE: fgl_polygon_stipple_set(ctx, payload); break;
     case OP_MAP: fgl_map_replay(ctx, payload); break;
     case OP_EVAL: fgl_eval_replay(ctx, payload); break;

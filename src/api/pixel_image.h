@@ -14,8 +14,9 @@ void fgl_draw_image(struct context *ctx, int width, int height, GLenum format, G
 /* The error of a format that asks for a buffer which the framebuffer does not have; colours cannot be drawn in colour index mode. */
 GLenum fgl_draw_buffer_error(struct context *ctx, GLenum format);
 
-/* The execution of glDrawPixels and glBitmap from the payload of a node. */
+/* The execution of glDrawPixels, glPixelMap and glBitmap from the payload of a node. */
 void fgl_list_replay_draw_pixels(struct context *ctx, const void *payload);
+void fgl_list_replay_pixel_map(struct context *ctx, const void *payload);
 void fgl_list_replay_bitmap(struct context *ctx, const void *payload);
 
 #endif

@@ -6,6 +6,7 @@
 #include "api/convert.h"
 #include "api/errors.h"
 #include "api/list.h"
+#include "api/pixel_buffer.h"
 
 #include <string.h>
 
@@ -107,7 +108,10 @@ void GLAPIENTRY glPolygonStipple(const GLubyte *mask)
         return;
 
     uint32_t row[32];
-    unpack_stipple(&ctx->client.unpack, mask, row);
+    const void *bits = mask;
+    if (!fgl_buffer_image(ctx, &ctx->client.unpack, GL_COLOR_INDEX, GL_BITMAP, 32, 32, &bits))
+        return;
+    unpack_stipple(&ctx->client.unpack, bits, row);
     if (ctx->compiling) {
         void *node = fgl_list_record(ctx, OP_POLYGON_STIPPLE, sizeof row);
         if (node)
@@ -119,9 +123,13 @@ void GLAPIENTRY glPolygonStipple(const GLubyte *mask)
 }
 
 /* OSMesa rule: the unused bits of a byte that is written to become 0. */
-void fgl_exec_GetPolygonStipple(struct context *ctx, GLubyte *mask)
+void fgl_exec_GetPolygonStipple(struct context *ctx, GLubyte *pixels)
 {
     const struct pixel_store *store = &ctx->client.pack;
+    const void *to = pixels;
+    if (!fgl_buffer_image(ctx, store, GL_COLOR_INDEX, GL_BITMAP, 32, 32, &to))
+        return;
+    GLubyte *mask = (GLubyte *)to;
 
     for (int y = 0; y < 32; y++) {
         const struct bit_place first = place_bit(store, 0, y), last = place_bit(store, 31, y);

@@ -2,6 +2,9 @@
  * Queries"). */
 #include "api/command.h"
 #include "api/convert.h"
+#include "api/list.h"
+#include "api/pixel_buffer.h"
+#include "api/pixel_image.h"
 #include "api/set.h"
 
 #include <string.h>
@@ -75,13 +78,8 @@ static bool holds_indexes(unsigned map)
     return map == PIXEL_MAP_I_TO_I || map == PIXEL_MAP_S_TO_S;
 }
 
-int fgl_count_pixel_map(GLsizei mapsize)
-{
-    return mapsize >= 1 && mapsize <= FGL_MAX_PIXEL_MAP ? mapsize : 0;
-}
-
 /* Maps to indexes keep the nearest integers, maps to colours values in [0,1]. */
-void fgl_exec_PixelMapfv(struct context *ctx, GLenum map, GLsizei mapsize, const GLfloat *values)
+static void set_map(struct context *ctx, GLenum map, GLsizei mapsize, const GLfloat *values)
 {
     const unsigned number = map - GL_PIXEL_MAP_I_TO_I;
     RETURN_ERROR_IF(ctx, mapsize < 1 || mapsize > FGL_MAX_PIXEL_MAP, GL_INVALID_VALUE);
@@ -97,18 +95,52 @@ void fgl_exec_PixelMapfv(struct context *ctx, GLenum map, GLsizei mapsize, const
                                                    : fgl_clamp01(values[i]);
 }
 
-#define PIXEL_MAP_FROM(suffix, T, max)                                                                       \
+struct map_node {
+    GLenum map;
+    GLsizei size;
+    GLfloat value[FGL_MAX_PIXEL_MAP];
+};
+
+void fgl_list_replay_pixel_map(struct context *ctx, const void *payload)
+{
+    const struct map_node *n = payload;
+    set_map(ctx, n->map, n->size, n->value);
+}
+
+/* n: the values that there are, none when mapsize is an error. */
+static void map_command(struct context *ctx, GLenum map, GLsizei mapsize, const GLfloat *values, int n)
+{
+    if (ctx->compiling) {
+        struct map_node *node = fgl_list_record(ctx, OP_PIXEL_MAP, sizeof *node);
+        if (node) {
+            node->map = map;
+            node->size = mapsize;
+            memcpy(node->value, values, (size_t)n * sizeof *values);
+        }
+    }
+    if (ctx->compiling != GL_COMPILE)
+        set_map(ctx, map, mapsize, values);
+}
+
+/* Integers to indexes are themselves, to colours fractions of the greatest. */
+#define PIXEL_MAP(suffix, T, max)                                                                            \
     void GLAPIENTRY glPixelMap##suffix(GLenum map, GLsizei mapsize, const T *values)                         \
     {                                                                                                        \
         GLfloat v[FGL_MAX_PIXEL_MAP];                                                                        \
-        const int n = fgl_count_pixel_map(mapsize);                                                          \
+        struct context *ctx = fgl_current;                                                                   \
+        const int n = mapsize >= 1 && mapsize <= FGL_MAX_PIXEL_MAP ? mapsize : 0;                            \
         const bool indexes = holds_indexes(map - GL_PIXEL_MAP_I_TO_I);                                       \
+        const void *given = values;                                                                          \
+        if (!ctx || fgl_refused_inside(ctx) ||                                                               \
+            (n && !fgl_buffer_elements(ctx, &ctx->client.unpack, n, sizeof(T), &given)))                     \
+            return;                                                                                          \
         for (int i = 0; i < n; i++)                                                                          \
-            v[i] = indexes ? (GLfloat)values[i] : (GLfloat)((double)values[i] / (max));                      \
-        glPixelMapfv(map, mapsize, v);                                                                       \
+            v[i] = indexes ? (GLfloat)((const T *)given)[i] : (GLfloat)((double)((const T *)given)[i] / (max)); \
+        map_command(ctx, map, mapsize, v, n);                                                                \
     }
-PIXEL_MAP_FROM(uiv, GLuint, 4294967295.0)
-PIXEL_MAP_FROM(usv, GLushort, 65535.0)
+PIXEL_MAP(fv, GLfloat, 1.0)
+PIXEL_MAP(uiv, GLuint, 4294967295.0)
+PIXEL_MAP(usv, GLushort, 65535.0)
 
 static const struct pixel_map *find_map(struct context *ctx, GLenum map)
 {
@@ -119,22 +151,27 @@ static const struct pixel_map *find_map(struct context *ctx, GLenum map)
     return NULL;
 }
 
-void fgl_exec_GetPixelMapfv(struct context *ctx, GLenum map, GLfloat *values)
-{
-    const struct pixel_map *m = find_map(ctx, map);
-    if (m)
-        memcpy(values, m->value, (size_t)m->size * sizeof *values);
-}
-
-#define GET_PIXEL_MAP(suffix, T, max)                                                                        \
+#define GET_PIXEL_MAP(suffix, T, max)                                                                    \
     void fgl_exec_GetPixelMap##suffix(struct context *ctx, GLenum map, T *values)                            \
     {                                                                                                        \
         const struct pixel_map *m = find_map(ctx, map);                                                      \
         const bool indexes = holds_indexes(map - GL_PIXEL_MAP_I_TO_I);                                       \
-        for (int i = 0; m && i < m->size; i++) {                                                             \
+        const void *to = values;                                                                             \
+        if (!m || !fgl_buffer_elements(ctx, &ctx->client.pack, m->size, sizeof(T), &to))                     \
+            return;                                                                                          \
+        for (int i = 0; i < m->size; i++) {                                                                  \
             const double v = (double)m->value[i] * (indexes ? 1.0 : (max));                                  \
-            values[i] = (T)(v < 0.0 ? 0.0 : v > (max) ? (max) : v);                                          \
+            ((T *)to)[i] = (T)(v < 0.0 ? 0.0 : v > (max) ? (max) : v);                               \
         }                                                                                                    \
     }
 GET_PIXEL_MAP(uiv, GLuint, 4294967295.0)
 GET_PIXEL_MAP(usv, GLushort, 65535.0)
+
+/* As they are kept. */
+void fgl_exec_GetPixelMapfv(struct context *ctx, GLenum map, GLfloat *values)
+{
+    const struct pixel_map *m = find_map(ctx, map);
+    const void *to = values;
+    if (m && fgl_buffer_elements(ctx, &ctx->client.pack, m->size, sizeof *values, &to))
+        memcpy((void *)to, m->value, (size_t)m->size * sizeof *values);
+}

@@ -2,6 +2,7 @@
 #include "api/command.h"
 #include "api/errors.h"
 #include "api/framebuffer_object.h"
+#include "api/pixel_buffer.h"
 #include "framebuffer/imaging.h"
 #include "framebuffer/pixel_pack.h"
 
@@ -21,9 +22,14 @@ static bool buffer_exists(const struct context *ctx, GLenum format)
 }
 
 /* Colours that imaging stages may change or discard: the whole rectangle, or what convolution leaves of it. */
-static void read_imaged(struct context *ctx, int x, int y, int width, int height, GLenum format, GLenum type, void *pixels)
+static void read_imaged(struct context *ctx, int x, int y, int width, int height, GLenum format, GLenum type,
+                        const void *pixels)
 {
     struct color_image image;
+    int left_width = width, left_height = height;
+    fgl_convolved_size(ctx, 2, &left_width, &left_height);
+    if (!fgl_buffer_image(ctx, &ctx->client.pack, format, type, left_width, left_height, &pixels))
+        return;
     RETURN_ERROR_IF(ctx, !fgl_imaging_fetch(ctx, x, y, width, height, 2, &image), GL_OUT_OF_MEMORY);
     const struct pixel_pack pack = {.image = fgl_pixel_image(&ctx->client.pack, format, type, image.width, pixels)};
     const float *from = image.color;
@@ -59,8 +65,11 @@ void fgl_exec_ReadPixels(struct context *ctx, GLint x, GLint y, GLsizei width, G
         return;
     }
 
+    const void *to = pixels;
+    if (!fgl_buffer_image(ctx, &ctx->client.pack, format, type, width, height, &to))
+        return;
     const struct pixel_pack pack = {
-            .image = fgl_pixel_image(&ctx->client.pack, format, type, width, pixels),
+            .image = fgl_pixel_image(&ctx->client.pack, format, type, width, to),
             .mode = &ctx->s.pixel_mode,
             .maps = ctx->pixel_map,
     };

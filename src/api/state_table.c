@@ -98,6 +98,15 @@ static void element_array_buffer_binding(const struct context *ctx, double *v)
     *v = fgl_buffer_name(ctx->client.arrays.element_array_buffer);
 }
 
+static void pixel_pack_buffer_binding(const struct context *ctx, double *v)
+{
+    *v = fgl_buffer_name(ctx->client.pack.buffer);
+}
+static void pixel_unpack_buffer_binding(const struct context *ctx, double *v)
+{
+    *v = fgl_buffer_name(ctx->client.unpack.buffer);
+}
+
 #define ARRAY_BUFFER(name, attr)                                                                             \
     static void name##_buffer(const struct context *ctx, double *v)                                          \
     {                                                                                                        \

@@ -2,6 +2,7 @@
 #include "api/command.h"
 #include "api/errors.h"
 #include "api/framebuffer_object.h"
+#include "api/pixel_buffer.h"
 #include "api/texture_image.h"
 #include "framebuffer/pixel_pack.h"
 
@@ -59,11 +60,13 @@ void fgl_exec_GetTexImage(struct context *ctx, GLenum target, GLint level, GLenu
     const struct texture_image *image = fgl_target_image(ctx, &t, level);
     const GLenum error = format_error(image, format, type);
     RETURN_ERROR_IF(ctx, error, error);
-    if (!image->texels || !pixels)
+    const void *to = pixels;
+    if (!image->texels || (!pixels && !ctx->client.pack.buffer) ||
+        !fgl_buffer_volume(ctx, &ctx->client.pack, format, type, image->width, image->height, image->depth, &to))
         return;
     fgl_framebuffer_unload_texture(ctx, fgl_bound_texture(ctx, t.target));
     const struct pixel_store *store = &ctx->client.pack;
-    const struct pixel_image whole = fgl_pixel_image(store, format, type, image->width, pixels);
+    const struct pixel_image whole = fgl_pixel_image(store, format, type, image->width, to);
     struct pixel_pack pack = {.mode = &ctx->s.pixel_mode, .maps = ctx->pixel_map};
     for (int z = 0; z < image->depth; z++) {
         pack.image = t.target == TEXTURE_3D ? fgl_pixel_slice(whole, store, image->height, z) : whole;

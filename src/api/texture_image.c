@@ -5,6 +5,7 @@
 #include "api/command.h"
 #include "api/errors.h"
 #include "api/list.h"
+#include "api/pixel_buffer.h"
 #include "framebuffer/imaging.h"
 #include "framebuffer/pixel_unpack.h"
 #include "texture/mipmap.h"
@@ -126,7 +127,15 @@ void fgl_texture_after_change(struct context *ctx, const struct image_target *t,
 
 /* ---- executing ---- */
 
-static void execute_image(struct context *ctx, const struct texture_call *call, const struct pixel_source *source)
+/* Pixels in a buffer object, of a call without other errors. */
+static bool find_pixels(struct context *ctx, const struct texture_call *call, struct pixel_source *source)
+{
+    return call->dimensions < 3 ? fgl_buffer_image(ctx, source->store, call->format, call->type, source->width, source->height, &source->pixels)
+                                : fgl_buffer_volume(ctx, source->store, call->format, call->type, source->width, source->height, call->depth,
+                                                    &source->pixels);
+}
+
+static void execute_image(struct context *ctx, const struct texture_call *call, struct pixel_source *source)
 {
     struct image_target t;
     bool too_large = false;
@@ -136,6 +145,8 @@ static void execute_image(struct context *ctx, const struct texture_call *call, 
         fgl_texture_image_clear(fgl_target_image(ctx, &t, call->level));
         return;
     }
+    if (!t.proxy && !find_pixels(ctx, call, source))
+        return;
     if (!fgl_texture_define(ctx, call, &t) || t.proxy)
         return;
     if (source->pixels)
@@ -143,12 +154,12 @@ static void execute_image(struct context *ctx, const struct texture_call *call, 
     fgl_texture_after_change(ctx, &t, call->level);
 }
 
-static void execute_sub_image(struct context *ctx, const struct texture_call *call, const struct pixel_source *source)
+static void execute_sub_image(struct context *ctx, const struct texture_call *call, struct pixel_source *source)
 {
     struct image_target t;
     const GLenum error = sub_image_error(ctx, call, &t);
     RETURN_ERROR_IF(ctx, error, error);
-    if (!source->pixels)
+    if (!find_pixels(ctx, call, source) || !source->pixels)
         return;
     fgl_texture_touch_image(ctx, fgl_bound_texture(ctx, t.target));
     fgl_texture_store_image(ctx, call, source, fgl_target_image(ctx, &t, call->level));
@@ -159,7 +170,7 @@ static void execute_sub_image(struct context *ctx, const struct texture_call *ca
 static void execute(struct context *ctx, const struct texture_call *given, const struct pixel_store *store, const void *pixels)
 {
     struct texture_call call = *given;
-    const struct pixel_source source = {store, pixels, given->width, given->height};
+    struct pixel_source source = {store, pixels, given->width, given->height};
     if (given->format != GL_DEPTH_COMPONENT && given->format != GL_DEPTH_STENCIL)
         fgl_convolved_size(ctx, call.dimensions, &call.width, &call.height);
     if (call.sub)
@@ -176,33 +187,37 @@ struct texture_node {
     uint64_t pixels[]; /* slices packed tightly */
 };
 
-/* Bytes of a slice when packed; 0 when there are no pixels to keep, or the call will only raise an error. */
-static size_t slice_bytes(const struct texture_call *call, const void *pixels)
+/* Bytes of a slice when packed; 0 when the call will only raise an error. */
+static size_t slice_bytes(const struct texture_call *call)
 {
     const int largest = FGL_MAX_TEXTURE_SIZE + 2;
-    if (!pixels || fgl_pixel_check(call->format, call->type) || call->width < 0 || call->width > largest ||
+    if (fgl_pixel_check(call->format, call->type) || call->width < 0 || call->width > largest ||
         call->height < 0 || call->height > largest || call->depth < 0 || call->depth > largest)
         return 0;
     return fgl_pixel_image_bytes(&fgl_packed_store, call->format, call->type, call->width, call->height);
 }
 
-static void record(struct context *ctx, const struct texture_call *call, const void *pixels)
+/* False after recording an error: that of a buffer object is raised at once. */
+static bool record(struct context *ctx, const struct texture_call *call, const void *given)
 {
-    const size_t bytes = slice_bytes(call, pixels), room = UINT32_MAX - sizeof(struct texture_node) - 8;
-    RETURN_ERROR_IF(ctx, bytes && (size_t)call->depth > room / bytes, GL_OUT_OF_MEMORY);
+    struct pixel_source source = {&ctx->client.unpack, given, call->width, call->height};
+    const size_t slice = slice_bytes(call);
+    if (slice && !find_pixels(ctx, call, &source))
+        return false;
+    const void *pixels = source.pixels;
+    const size_t bytes = pixels ? slice : 0, room = UINT32_MAX - sizeof(struct texture_node) - 8;
+    RETURN_VALUE_ERROR_IF(ctx, bytes && (size_t)call->depth > room / bytes, GL_OUT_OF_MEMORY, false);
     struct texture_node *node = fgl_list_record(ctx, OP_TEXTURE_IMAGE, sizeof *node + bytes * (size_t)call->depth);
     if (!node)
-        return;
+        return false;
     *node = (struct texture_node){*call, bytes > 0};
-    if (!bytes)
-        return;
     const struct pixel_store *store = &ctx->client.unpack;
-    const struct pixel_image image = fgl_pixel_image(store, call->format, call->type, call->width, NULL);
-    for (int z = 0; z < call->depth; z++) {
+    const struct pixel_image image = bytes ? fgl_pixel_image(store, call->format, call->type, call->width, NULL) : (struct pixel_image){0};
+    for (int z = 0; bytes && z < call->depth; z++) {
         const size_t offset = call->dimensions < 3 ? 0 : fgl_pixel_slice(image, store, call->height, z).first - image.first;
         fgl_pixel_copy(store, call->format, call->type, call->width, call->height, (const char *)pixels + offset,
                        (char *)node->pixels + (size_t)z * bytes);
-    }
+    }    return true;
 }
 
 void fgl_list_replay_texture_image(struct context *ctx, const void *payload)
@@ -221,8 +236,8 @@ static void command(const struct texture_call *call, const void *pixels)
     if (fgl_refused_inside(ctx))
         return;
     const bool proxy = fgl_image_target(call->target, 0, &t) && t.proxy;
-    if (ctx->compiling && !proxy)
-        record(ctx, call, pixels);
+    if (ctx->compiling && !proxy && !record(ctx, call, pixels))
+        return;
     if (ctx->compiling == GL_COMPILE && !proxy)
         return;
     execute(ctx, call, &ctx->client.unpack, pixels);

@@ -296,6 +296,7 @@ struct client_array_state {
 struct pixel_store {
     bool swap_bytes, lsb_first;
     int row_length, image_height, skip_rows, skip_pixels, skip_images, alignment;
+    struct buffer_object *buffer; /* GL_ARB_pixel_buffer_object; NULL: none */
 };
 
 struct client_state {
