@@ -25,7 +25,7 @@ for layer in $order; do
         done
     done
 done
-for f in src/glut/*.[ch] src/oracle/*.[ch] src/cli/*.[ch]; do # public headers and their own
+for f in src/glut/*.[ch] src/oracle/*.[ch] src/cli/*.[ch] src/dropin/*.c; do # public headers and their own
     for used in $(sed -n 's|^#include "\(.*\)"|\1|p' "$f"); do
         own=$(dirname "$f")
         case "$used" in GL/*|fixedgl.h) continue ;; esac

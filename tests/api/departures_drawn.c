@@ -49,6 +49,34 @@ static void two_strips(void)
     }
 }
 
+/* incomplete-in-lists. GL 1.5, 2.6.1: vertices that are not enough for a primitive are ignored, in a list too. */
+static void incomplete_primitives_draw_nothing(void **state)
+{
+    static const float corner[5][2] = {{-0.9f, -0.9f}, {0.9f, -0.9f}, {0.5f, 0}, {-0.5f, 0.9f}, {0.9f, 0.9f}};
+    static const struct {
+        GLenum mode;
+        int count, complete; /* vertices, those that make whole primitives */
+    } rows[] = {{GL_QUADS, 3, 0}, {GL_QUAD_STRIP, 3, 0}, {GL_TRIANGLES, 4, 3}, {GL_QUADS, 5, 4}};
+    (void)state;
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        int pixels[2];
+        for (int whole = 0; whole < 2; whole++) {
+            glNewList(1, GL_COMPILE);
+            for (int twice = 0; twice < 2; twice++) {
+                glBegin(rows[i].mode);
+                for (int v = 0; v < (whole ? rows[i].complete : rows[i].count); v++)
+                    glVertex2fv(corner[v]);
+                glEnd();
+            }
+            glEndList();
+            glClear(GL_COLOR_BUFFER_BIT);
+            glCallList(1);
+            pixels[whole] = drawn_pixels();
+        }
+        assert_int_equal(pixels[0] == pixels[1], on_fixedgl());
+    }
+}
+
 /* strips-in-lists. GL 1.5, 5.4: calling a list is the same as the commands in it. */
 static void strips_of_a_list_are_apart(void **state)
 {
@@ -236,6 +264,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
             GL_TEST(nine_vertices_are_three_triangles),
+            GL_TEST(incomplete_primitives_draw_nothing),
             GL_TEST(strips_of_a_list_are_apart),
             GL_TEST(an_empty_stipple_draws_nothing),
             GL_TEST(no_bitmap_moves_the_raster_position),
