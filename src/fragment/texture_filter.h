@@ -8,7 +8,7 @@
 
 /* Texture coordinates of a group, ready to address an image. */
 struct texture_coords {
-    real s[3][FRAGMENT_GROUP]; /* s t r; for a cube map s and t on its face */
+    _Alignas(64) real s[3][FRAGMENT_GROUP]; /* s t r; for a cube map s and t on its face */
     real compare[FRAGMENT_GROUP]; /* what depth texels are compared with */
     int32_t face[FRAGMENT_GROUP];
 };

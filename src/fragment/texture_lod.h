@@ -9,22 +9,23 @@
 
 /* For each fragment: mag is used on level 0, or min on `level` and, where f is not 0, on the next. */
 struct level_choice {
-    int32_t magnify[FRAGMENT_GROUP], level[FRAGMENT_GROUP];
+    _Alignas(64) int32_t magnify[FRAGMENT_GROUP], level[FRAGMENT_GROUP];
     int32_t mag[FRAGMENT_GROUP]; /* magnify, if mag differs from min */
     real f[FRAGMENT_GROUP];
     uint32_t used; /* bit: a level on which a live fragment uses min; USED_MAG: one uses mag */
 };
 #define USED_MAG 0x80000000u
 
-/* One of s t r at the pixels of a row. */
-static FGL_ALWAYS_INLINE void coordinate_at(const struct planes *p, int lane, const real *fx, real fy, const real *w,
+/* One of s t r at n pixels of a row. */
+static FGL_ALWAYS_INLINE void coordinate_at(const struct planes *p, int lane, const int n, const real *fx, real fy, const real *w,
                                             const real *over_q, real *FGL_RESTRICT to)
 {
-    FOR_GROUP(i) to[i] = plane_at(p, lane, fx[i], fy) * w[i] * over_q[i];
+    for (int i = 0; i < n; i++)
+        to[i] = plane_at(p, lane, fx[i], fy) * w[i] * over_q[i];
 }
 
-/* s t r at the pixels of a row, divided by q. OSMesa rule: multiplied by 1/q, also where q was never given. */
-static FGL_ALWAYS_INLINE void coordinates_at(const struct texture_stage *stage, const struct planes *p, const real *fx,
+/* s t r at n pixels of a row, divided by q. OSMesa rule: multiplied by 1/q, also where q was never given. */
+static FGL_ALWAYS_INLINE void coordinates_at(const struct texture_stage *stage, const struct planes *p, const int n, const real *fx,
                                              real fy, const real *w, const int count, real to[3][FRAGMENT_GROUP])
 {
     real over_q[FRAGMENT_GROUP];
@@ -32,52 +33,87 @@ static FGL_ALWAYS_INLINE void coordinates_at(const struct texture_stage *stage, 
     if (stage->source == COORDINATES_CONSTANT) {
         const real scale = 1 / (real)stage->constant[3];
         for (int c = 0; c < count; c++)
-            FOR_GROUP(i) to[c][i] = (real)stage->constant[c] * scale;
+            for (int i = 0; i < n; i++)
+                to[c][i] = (real)stage->constant[c] * scale;
         return;
     }
-    FOR_GROUP(i) over_q[i] = 1 / (plane_at(p, lane + 3, fx[i], fy) * w[i]);
-    coordinate_at(p, lane, fx, fy, w, over_q, to[0]);
+    for (int i = 0; i < n; i++)
+        over_q[i] = 1 / (plane_at(p, lane + 3, fx[i], fy) * w[i]);
+    coordinate_at(p, lane, n, fx, fy, w, over_q, to[0]);
     if (count > 1)
-        coordinate_at(p, lane + 1, fx, fy, w, over_q, to[1]);
+        coordinate_at(p, lane + 1, n, fx, fy, w, over_q, to[1]);
     if (count > 2)
-        coordinate_at(p, lane + 2, fx, fy, w, over_q, to[2]);
+        coordinate_at(p, lane + 2, n, fx, fy, w, over_q, to[2]);
+}
+
+/* The same where w is still to be found. */
+static FGL_ALWAYS_INLINE void coordinates_of_row(const struct texture_stage *stage, const struct planes *p, const int n, const real *fx,
+                                                 int row, const int count, real to[3][FRAGMENT_GROUP])
+{
+    real w[FRAGMENT_GROUP];
+    for (int i = 0; i < n; i++)
+        w[i] = 1 / plane_at(p, LANE_OOW, fx[i], (real)row);
+    coordinates_at(stage, p, n, fx, (real)row, w, count, to);
 }
 
 enum { QUADS = FRAGMENT_GROUP / 2 }; /* squares of 2 x 2 pixels of which a group is a row */
 #define FOR_QUADS(k) for (int k = 0; k < QUADS; k++)
 
-/* A coordinate's differences by x and y in each quad, in texels of the base level. upper and lower: its values in the quads' rows. */
-static FGL_ALWAYS_INLINE void differences(const real *upper, const real *lower, real n, real dx[QUADS], real dy[QUADS])
+static FGL_ALWAYS_INLINE void add_squares(const real *to, const real *from, real n, real sum[QUADS])
 {
-    FOR_QUADS(k) dx[k] = (upper[2 * k + 1] - upper[2 * k]) * n;
-    FOR_QUADS(k) dy[k] = (lower[2 * k] - upper[2 * k]) * n;
+    FOR_QUADS(k) {
+        const real d = (to[k] - from[k]) * n;
+        sum[k] += d * d;
+    }
 }
 
-static FGL_ALWAYS_INLINE void add_squares(const real *upper, const real *lower, real n, real x2[QUADS], real y2[QUADS])
+/* For each quad the greater of the squared lengths of the derivatives by x and y, in texels of the base level; of one coordinate, of the
+ * lengths themselves. at, right, below: coordinates at the quad's first pixel and at its neighbours. */
+static FGL_ALWAYS_INLINE void scale_factors(const struct sampler *sampler, const int count, real at[3][FRAGMENT_GROUP],
+                                            real right[3][FRAGMENT_GROUP], real below[3][FRAGMENT_GROUP], real rho[QUADS])
 {
-    real dx[QUADS], dy[QUADS];
-    differences(upper, lower, n, dx, dy);
-    FOR_QUADS(k) x2[k] += dx[k] * dx[k];
-    FOR_QUADS(k) y2[k] += dy[k] * dy[k];
-}
-
-/* The greater of the squared lengths of the derivatives by x and y. One coordinate: not squared. */
-static FGL_ALWAYS_INLINE void scale_factors(const struct sampler *sampler, const int count, real upper[3][FRAGMENT_GROUP],
-                                            real lower[3][FRAGMENT_GROUP], real rho[FRAGMENT_GROUP])
-{
-    const int *n = sampler->level[0].size;
+    const real width = (real)sampler->level[0].size[0], height = (real)sampler->level[0].size[1],
+               depth = (real)sampler->level[0].size[2];
     real x[QUADS] = {0}, y[QUADS] = {0};
     if (count == 1) {
-        differences(upper[0], lower[0], (real)n[0], x, y);
-        FOR_QUADS(k) x[k] = r_abs(x[k]);
-        FOR_QUADS(k) y[k] = r_abs(y[k]);
-    } else {
-        add_squares(upper[0], lower[0], (real)n[0], x, y);
-        add_squares(upper[1], lower[1], (real)n[1], x, y);
-        if (count > 2)
-            add_squares(upper[2], lower[2], (real)n[2], x, y);
+        FOR_QUADS(k) rho[k] = r_max(r_abs((right[0][k] - at[0][k]) * width), r_abs((below[0][k] - at[0][k]) * width));
+        return;
     }
-    FOR_QUADS(k) rho[2 * k] = rho[2 * k + 1] = r_max(x[k], y[k]);
+    add_squares(right[0], at[0], width, x);
+    add_squares(below[0], at[0], width, y);
+    add_squares(right[1], at[1], height, x);
+    add_squares(below[1], at[1], height, y);
+    if (count > 2) {
+        add_squares(right[2], at[2], depth, x);
+        add_squares(below[2], at[2], depth, y);
+    }
+    FOR_QUADS(k) rho[k] = r_max(x[k], y[k]);
+}
+
+/* From quads to their fragments: as pairs where they are floats, since stores of half vectors delay the loads of whole ones. */
+static FGL_ALWAYS_INLINE void spread(const real *of_quad, real *FGL_RESTRICT to)
+{
+#if R_EXACT
+    FOR_QUADS(k) to[2 * k] = to[2 * k + 1] = of_quad[k];
+#else
+    uint64_t pair[QUADS];
+    FOR_QUADS(k) pair[k] = fgl_float_bits(of_quad[k]) * UINT64_C(0x100000001);
+    memcpy(to, pair, sizeof pair);
+#endif
+}
+
+static FGL_ALWAYS_INLINE void quad_scale_factors(const struct fragments *fragments, const struct planes *p,
+                                                 const struct texture_stage *stage, const int count, real rho[FRAGMENT_GROUP])
+{
+    real fx[2][QUADS], at[3][FRAGMENT_GROUP], right[3][FRAGMENT_GROUP], below[3][FRAGMENT_GROUP], of_quad[QUADS];
+    const int first = fragments->x, upper = fragments->row & ~1;
+    FOR_QUADS(k) fx[0][k] = (real)(first + 2 * k);
+    FOR_QUADS(k) fx[1][k] = (real)(first + 2 * k + 1);
+    coordinates_of_row(stage, p, QUADS, fx[0], upper, count, at);
+    coordinates_of_row(stage, p, QUADS, fx[1], upper, count, right);
+    coordinates_of_row(stage, p, QUADS, fx[0], upper + 1, count, below);
+    scale_factors(&stage->sampler, count, at, right, below, of_quad);
+    spread(of_quad, rho);
 }
 
 /* The major axis of a direction: that of its greatest component. OSMesa rule: where components are equal z goes before y, y before x. */
@@ -134,18 +170,19 @@ static FGL_ALWAYS_INLINE real log2_of(real v)
 #endif
 
 /* From rho to the level of detail (GL 1.5, equations 3.17 and 3.18). */
-static FGL_ALWAYS_INLINE void levels_of_detail(const struct sampler *sampler, const int count, const real rho[FRAGMENT_GROUP],
-                                               real lod[FRAGMENT_GROUP])
+static FGL_ALWAYS_INLINE void levels_of_detail(const struct sampler *sampler, const int count, const real *rho, real *lod)
 {
     const real bias = (real)sampler->lod_bias, least = (real)sampler->min_lod, most = (real)sampler->max_lod;
-    FOR_GROUP(i) lod[i] = log2_of(count == 1 ? rho[i] * rho[i] : rho[i]) * (real)0.5 + bias;
-    FOR_GROUP(i) lod[i] = r_max(r_min(lod[i], most), least);
+    FOR_GROUP(i) {
+        const real v = log2_of(count == 1 ? rho[i] * rho[i] : rho[i]) * (real)0.5 + bias;
+        lod[i] = r_max(r_min(v, most), least);
+    }
     if (least == most)
         FOR_GROUP(i) lod[i] = least;
 }
 
 /* From rho to levels, which may not be there. */
-static FGL_ALWAYS_INLINE void levels_wanted(const struct sampler *sampler, const int count, const real rho[FRAGMENT_GROUP],
+static FGL_ALWAYS_INLINE void levels_wanted(const struct sampler *sampler, const int count, const real *rho,
                                             struct level_choice *FGL_RESTRICT to)
 {
     real lod[FRAGMENT_GROUP];
@@ -177,14 +214,13 @@ static FGL_ALWAYS_INLINE void levels_kept(const struct sampler *sampler, const i
     const int32_t last = sampler->last_level, differ = -(int32_t)(sampler->min != sampler->mag);
     uint32_t used = 0;
     FOR_GROUP(i) {
-        const int32_t level = to->level[i];
-        to->f[i] = r_select((level >= 0) & (level < last) & !to->magnify[i], to->f[i], 0);
-        to->level[i] = fgl_clamp(level, 0, last) & ~to->magnify[i];
-        to->mag[i] = to->magnify[i] & differ;
-    }
-    FOR_GROUP(i) {
-        const uint32_t min = (to->f[i] > 0 ? 3u : 1u) << to->level[i];
-        used |= (to->mag[i] ? USED_MAG : min) & (uint32_t)live[i];
+        const int32_t level = to->level[i], min = ~to->magnify[i];
+        const real f = r_select((level >= 0) & (level < last) & (min != 0), to->f[i], 0);
+        const int32_t mag = to->magnify[i] & differ, kept = fgl_clamp(level, 0, last) & min;
+        used |= (uint32_t)live[i] & (mag ? USED_MAG : (f > 0 ? 3u : 1u) << kept);
+        to->f[i] = f;
+        to->level[i] = kept;
+        to->mag[i] = mag;
     }
     to->used = used;
 }
@@ -195,15 +231,15 @@ static FGL_NOINLINE void choose_levels(const struct fragments *fragments, const 
                                        struct level_choice *to)
 {
     const struct sampler *sampler = &stage->sampler;
-    real other[3][FRAGMENT_GROUP], w[FRAGMENT_GROUP], rho[FRAGMENT_GROUP];
-    const real other_row = (real)(fragments->row ^ 1);
-    const bool odd = fragments->row & 1;
-    FOR_GROUP(i) w[i] = 1 / plane_at(p, LANE_OOW, fragments->fx[i], other_row);
-    coordinates_at(stage, p, fragments->fx, other_row, w, count, other);
-    if (sampler->target == TEXTURE_CUBE_MAP)
+    real rho[FRAGMENT_GROUP];
+    if (sampler->target == TEXTURE_CUBE_MAP) {
+        real other[3][FRAGMENT_GROUP];
+        const bool odd = fragments->row & 1;
+        coordinates_of_row(stage, p, FRAGMENT_GROUP, fragments->fx, fragments->row ^ 1, 3, other);
         cube_scale_factors(sampler, odd && sampler->mip == MIP_NONE ? other : at, odd ? other : at, odd ? at : other, rho);
-    else
-        scale_factors(sampler, count, odd ? other : at, odd ? at : other, rho);
+    } else {
+        quad_scale_factors(fragments, p, stage, count, rho);
+    }
     levels_wanted(sampler, count, rho, to);
     levels_kept(sampler, fragments->live, to);
 }

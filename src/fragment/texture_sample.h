@@ -120,7 +120,7 @@ static inline void find_texels(const struct fragments *fragments, const struct p
     const struct sampler *sampler = &stage->sampler;
     const bool cube = sampler->target == TEXTURE_CUBE_MAP;
     const int count = cube ? 3 : sampler->dimensions;
-    coordinates_at(stage, p, fragments->fx, fragments->fy, fragments->w, sampler->compare_func ? 3 : count, at->s);
+    coordinates_at(stage, p, FRAGMENT_GROUP, fragments->fx, fragments->fy, fragments->w, sampler->compare_func ? 3 : count, at->s);
     if (sampler->compare_func)
         FOR_GROUP(i) at->compare[i] = r_min(r_max(at->s[2][i], 0), 1);
     if (sampler->needs_lod)

@@ -8,13 +8,12 @@ static void trace_texture(const struct fragment_plan *plan, const struct planes 
                           struct texture_trace *to)
 {
     const struct texture_stage *s = &plan->texture[stage];
-    const int count = s->sampler.target == TEXTURE_CUBE_MAP ? 3 : s->sampler.dimensions;
     const int first = x & -FRAGMENT_GROUP, i = x - first;
     struct fragments f;
     struct level_choice choice;
     real at[3][FRAGMENT_GROUP], texel[4][FRAGMENT_GROUP];
     start_fragments(&f, plan, planes, row, first, x, x + 1);
-    coordinates_at(s, planes, f.fx, f.fy, f.w, 3, at);
+    coordinates_at(s, planes, FRAGMENT_GROUP, f.fx, f.fy, f.w, 3, at);
     sample_texture(&f, planes, s, texel);
     *to = (struct texture_trace){.magnified = true};
     for (int c = 0; c < 3; c++)
@@ -23,7 +22,7 @@ static void trace_texture(const struct fragment_plan *plan, const struct planes 
         to->texel[c] = (double)texel[c][i];
     if (!s->sampler.needs_lod)
         return;
-    choose_levels(&f, planes, s, count, at, &choice);
+    choose_levels(&f, planes, s, s->sampler.dimensions, at, &choice);
     to->magnified = choice.magnify[i];
     to->level = to->magnified ? 0 : choice.level[i];
     to->fraction = to->magnified ? 0 : (double)choice.f[i];
