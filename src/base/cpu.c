@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#if defined(__x86_64__) && defined(__GNUC__)
+#if FGL_X86_ISAS
 int fgl_cpu_has(enum fgl_isa isa)
 {
     __builtin_cpu_init();

@@ -13,8 +13,15 @@ enum fgl_isa {
 /* The arithmetics (base/arith.h). */
 enum fgl_arith { ARITH_COMPATIBLE, ARITH_EXACT, ARITH_COUNT };
 
+/* Whether the build has the sets of x86-64: not with `make ISAS=base`. */
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(FGL_ONE_ISA)
+#define FGL_X86_ISAS 1
+#else
+#define FGL_X86_ISAS 0
+#endif
+
 /* Declares the tables of a module's kernels, struct NAME_kernels, as kernels_of[instruction set][arithmetic]. */
-#if defined(__x86_64__) && defined(__GNUC__)
+#if FGL_X86_ISAS
 #define FGL_EACH_ISA(M, name) M(name, sse2), M(name, avx2), M(name, avx512)
 #else
 #define FGL_EACH_ISA(M, name) M(name, base)
