@@ -75,6 +75,7 @@ static inline void interpolate_color(struct fragments *f, const struct fragment_
     }
 }
 
+/* GL 1.5, 3.9 "Color Sum": the sum is clamped, which shows where fog follows. OSMesa rule: it is not. */
 static inline void add_secondary_color(struct fragments *f, const struct fragment_plan *plan,
                                        const struct planes *p)
 {
@@ -87,6 +88,8 @@ static inline void add_secondary_color(struct fragments *f, const struct fragmen
             FOR_GROUP(i) f->color[c][i] += flat;
         else
             FOR_GROUP(i) f->color[c][i] += plane_at(p, LANE_SECONDARY + c, f->fx[i], f->fy) * f->w[i];
+        if (R_EXACT)
+            FOR_GROUP(i) f->color[c][i] = r_saturate(f->color[c][i]);
     }
 }
 

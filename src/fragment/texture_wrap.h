@@ -13,10 +13,13 @@ struct texel_pair {
     int32_t weight[FRAGMENT_GROUP]; /* OSMesa's fixed point: 0 to 255 */
 };
 
-/* To an integer towards zero; OSMesa rule: what is too large, or not a number, is the least integer. */
+/* To an integer towards zero. What is too large is the greatest or the least integer; OSMesa rule: what is too large, or not a
+ * number, is the least. */
 static FGL_ALWAYS_INLINE int32_t to_int(real v)
 {
     const real limit = (real)2147483648.0;
+    if (R_EXACT)
+        return (int32_t)r_min(r_max(v, -limit), limit - 1);
     return (int32_t)r_select((v > -limit) & (v < limit), v, -limit); /* on bits: vectorises */
 }
 
@@ -25,9 +28,10 @@ static FGL_ALWAYS_INLINE real round_even_of(real v)
     return R_EXACT ? (real)rint((double)v) : (real)rintf((float)v);
 }
 
-static FGL_ALWAYS_INLINE bool is_power_of_two(int n)
+/* Whether GL_REPEAT may mask the integer part. It is exact only up to 2^31 texels. */
+static FGL_ALWAYS_INLINE bool may_mask(int n)
 {
-    return (n & (n - 1)) == 0;
+    return !R_EXACT && (n & (n - 1)) == 0;
 }
 
 /* The part behind the point, less than 1 always. */
@@ -50,7 +54,7 @@ static FGL_ALWAYS_INLINE void wrap_nearest(const real *FGL_RESTRICT s, const int
     const real size = (real)n;
     switch (wrap) {
     case GL_REPEAT:
-        if (is_power_of_two(n))
+        if (may_mask(n))
             FOR_GROUP(i) index[i] = to_int(r_floor(s[i] * size)) & (n - 1);
         else
             FOR_GROUP(i) index[i] = to_int(fraction_of(s[i]) * size);
@@ -80,7 +84,7 @@ static FGL_ALWAYS_INLINE void wrap_linear_fixed(const real *FGL_RESTRICT s, cons
                                                 struct texel_pair *FGL_RESTRICT to)
 {
     const real size = (real)n * 256;
-    const bool repeat = wrap == GL_REPEAT, masked = is_power_of_two(n);
+    const bool repeat = wrap == GL_REPEAT, masked = may_mask(n);
     FOR_GROUP(i) {
         const real folded = repeat && !masked ? fraction_of(s[i]) : s[i];
         const int32_t u = (int32_t)((uint32_t)to_int(round_even_of(folded * size)) - 128u), at = u >> 8;
@@ -104,7 +108,7 @@ static FGL_ALWAYS_INLINE void wrap_linear(const real *FGL_RESTRICT s, const int 
     const real size = (real)n, half = (real)0.5;
     switch (wrap) {
     case GL_REPEAT:
-        if (is_power_of_two(n)) {
+        if (may_mask(n)) {
             FOR_GROUP(i) split(to, i, s[i] * size - half);
             FOR_GROUP(i) to->i1[i] = (to->i0[i] + 1) & (n - 1);
             FOR_GROUP(i) to->i0[i] &= n - 1;

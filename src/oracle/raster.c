@@ -153,18 +153,24 @@ enum raster_coverage oracle_raster_coverage(const struct raster_setup *s, int x,
     return s->clipped ? oracle_raster_loose_coverage(s, x, y) : snapped_coverage(s, x, y);
 }
 
+void oracle_raster_weights(const struct raster_setup *s, int x, int y, quad weight[3])
+{
+    for (int i = 0; i < 3; i++)
+        weight[i] = line_at(s->edge[i], x, y);
+}
+
 struct raster_truth oracle_raster_truth(const struct raster_setup *s, int x, int y)
 {
     struct raster_truth truth = {{0, 0, 0, 0}, 0};
-    quad sum = 0, z = 0, w = 0;
+    quad sum = 0, z = 0, w = 0, weight[3];
+    oracle_raster_weights(s, x, y, weight);
     for (int i = 0; i < 3; i++) {
-        const quad weight = line_at(s->edge[i], x, y);
         const struct raster_vertex *v = &s->triangle->vertex[i];
-        sum += weight;
-        z += weight * (quad)v->clip[2];
-        w += weight * (quad)v->clip[3];
+        sum += weight[i];
+        z += weight[i] * (quad)v->clip[2];
+        w += weight[i] * (quad)v->clip[3];
         for (int k = 0; k < 4; k++)
-            truth.color[k] += weight * (quad)v->color[k];
+            truth.color[k] += weight[i] * (quad)v->color[k];
     }
     for (int k = 0; k < 4; k++)
         truth.color[k] = clamp01(truth.color[k] / sum);

@@ -54,6 +54,10 @@ enum raster_coverage oracle_raster_coverage(const struct raster_setup *setup, in
 /* The same for whoever rounds corners otherwise: RASTER_UNDECIDED nearer to an edge than 1/128 of a pixel. */
 enum raster_coverage oracle_raster_loose_coverage(const struct raster_setup *setup, int x, int y);
 
+/* How much of each vertex there is at the center of the pixel, up to a common factor: what vertices have is
+ * interpolated as sum(weight[i] f[i]) / sum(weight[i]) (GL 1.5, 3.5.1, equation 3.6). */
+void oracle_raster_weights(const struct raster_setup *setup, int x, int y, quad weight[3]);
+
 /* At the center of the pixel: GL 1.5, 3.5.1, equations 3.6 (perspective) and 3.7 (depth). Where rounding of
  * the corners lets the triangle cover the center of a pixel outside of it, the planes go on. */
 struct raster_truth oracle_raster_truth(const struct raster_setup *setup, int x, int y);
