@@ -1697,7 +1697,8 @@ typedef void (APIENTRYP PFNGLTEXSUBIMAGE3DEXTPROC)(GLenum target, GLint level, G
 #endif
 
 /* The same under the names of OpenGL 3.0, with framebuffers of their own for drawing and reading, and copies between them. Attachments may
- * differ in size: what all of them have is drawn to. Multisampling is not to be had: GL_MAX_SAMPLES is 0. */
+ * differ in size: what all of them have is drawn to. GL_MAX_SAMPLES is 1: a renderbuffer
+ * that is multisampled has one sample a pixel. */
 #ifndef GL_ARB_framebuffer_object
 #define GL_ARB_framebuffer_object 1
 
@@ -1761,6 +1762,7 @@ typedef void (APIENTRYP PFNGLTEXSUBIMAGE3DEXTPROC)(GLenum target, GLint level, G
 #define GL_UNSIGNED_NORMALIZED                             0x8C17
 
 /* Formats. */
+#define GL_INDEX                                           0x8222
 #define GL_DEPTH_STENCIL                                   0x84F9
 #define GL_UNSIGNED_INT_24_8                               0x84FA
 #define GL_DEPTH24_STENCIL8                                0x88F0

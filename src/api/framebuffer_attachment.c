@@ -170,6 +170,22 @@ static GLint component_bits(const struct texture_image *image, GLenum pname)
     }
 }
 
+static bool is_srgb(const struct texture_image *image)
+{
+    return image->format && image->format->encoding == ENCODED_SRGB;
+}
+
+/* OSMesa rule: stencil alone is an index. */
+static GLint component_type(const struct texture_image *image)
+{
+    if (!image->format)
+        return GL_NONE;
+    if (!image->texels && image->stencil)
+        return GL_INDEX;
+    const bool snorm = image->format->encoding == ENCODED_SNORM;
+    return snorm ? GL_SIGNED_NORMALIZED : fgl_texture_format_leaves_unit(image->format) ? GL_FLOAT : GL_UNSIGNED_NORMALIZED;
+}
+
 /* Properties that every attachment of an object has. */
 static void get_common(struct context *ctx, const struct attachment *a, GLenum pname, GLint *params)
 {
@@ -180,8 +196,8 @@ static void get_common(struct context *ctx, const struct attachment *a, GLenum p
     case GL_FRAMEBUFFER_ATTACHMENT_ALPHA_SIZE:
     case GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE:
     case GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE: *params = component_bits(fgl_attachment_image(a), pname); break;
-    case GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING: *params = GL_LINEAR; break;
-    case GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE: *params = GL_UNSIGNED_NORMALIZED; break;
+    case GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING: *params = is_srgb(fgl_attachment_image(a)) ? GL_SRGB_EXT : GL_LINEAR; break;
+    case GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE: *params = component_type(fgl_attachment_image(a)); break;
     default: fgl_error(ctx, GL_INVALID_ENUM); break;
     }
 }
@@ -212,13 +228,53 @@ static void get_property(struct context *ctx, const struct attachment *a, GLenum
     }
 }
 
+/* Bits of red, green, blue or alpha in the window. */
+static GLint window_color_bits(const struct framebuffer *fb, int channel)
+{
+    static const uint8_t bits[][4] = { /* by enum color_kind */
+            {8, 8, 8, 8}, {16, 16, 16, 16}, {32, 32, 32, 32}, {5, 6, 5, 0}, {0, 0, 0, 0},
+    };
+    return channel == 3 && !fb->has_alpha ? 0 : bits[fb->color_kind][channel];
+}
+
+/* The window's buffers have names of their own. Depth and stencil are one buffer. */
+static void get_window_property(struct context *ctx, const struct framebuffer *fb, GLenum attachment, GLenum pname, GLint *params)
+{
+    const bool color = attachment == GL_FRONT_LEFT || attachment == GL_BACK_LEFT || attachment == GL_FRONT || attachment == GL_BACK;
+    const bool other = attachment == GL_DEPTH || attachment == GL_STENCIL, none = attachment == GL_FRONT_RIGHT || attachment == GL_BACK_RIGHT;
+    RETURN_ERROR_IF(ctx, !color && !other && !none, GL_INVALID_ENUM);
+    const bool there = fb && (color || (other && (attachment == GL_DEPTH ? fb->depth_bits : fb->stencil_bits)));
+    if (pname == GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) {
+        *params = there ? GL_FRAMEBUFFER_DEFAULT : GL_NONE;
+        return;
+    }
+    RETURN_ERROR_IF(ctx, pname == GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, GL_INVALID_ENUM);
+    RETURN_ERROR_IF(ctx, !there, GL_INVALID_OPERATION);
+    switch (pname) {
+    case GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE:
+    case GL_FRAMEBUFFER_ATTACHMENT_GREEN_SIZE:
+    case GL_FRAMEBUFFER_ATTACHMENT_BLUE_SIZE:
+    case GL_FRAMEBUFFER_ATTACHMENT_ALPHA_SIZE:
+        *params = color ? window_color_bits(fb, (int)(pname - GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE)) : 0;
+        break;
+    case GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE: *params = color ? 0 : fb->depth_bits; break;
+    case GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE: *params = color ? 0 : fb->stencil_bits; break;
+    case GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING: *params = GL_LINEAR; break;
+    case GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE: *params = color && fb->color_kind == COLOR_FLOAT ? GL_FLOAT : GL_UNSIGNED_NORMALIZED; break;
+    default: fgl_error(ctx, GL_INVALID_ENUM); break;
+    }
+}
+
 void fgl_exec_GetFramebufferAttachmentParameteriv(struct context *ctx, GLenum target, GLenum attachment, GLenum pname, GLint *params)
 {
     bool bad;
     int first, count;
     const struct framebuffer_object *f = fgl_framebuffer_bound(ctx, target, &bad);
     RETURN_ERROR_IF(ctx, bad, GL_INVALID_ENUM);
-    RETURN_ERROR_IF(ctx, !f, GL_INVALID_OPERATION);
+    if (!f) {
+        get_window_property(ctx, target == GL_READ_FRAMEBUFFER ? ctx->read_framebuffer : ctx->framebuffer, attachment, pname, params);
+        return;
+    }
     const GLenum error = find_point(attachment, &first, &count);
     RETURN_ERROR_IF(ctx, error, error);
     const struct attachment *a = &f->attachment[first];

@@ -19,17 +19,28 @@ static bool is_complete(const struct attachment *a, int point)
     }
 }
 
+/* Samples of the attached image; a texture has none. */
+static int samples_of(const struct attachment *a)
+{
+    return a->renderbuffer ? a->renderbuffer->samples : 0;
+}
+
 GLenum fgl_framebuffer_status(const struct framebuffer_object *f)
 {
-    int images = 0;
+    const struct attachment *first = NULL;
+    bool same_samples = true;
     for (int i = 0; i < ATTACHMENTS; i++) {
-        if (!fgl_attachment_image(&f->attachment[i]))
+        const struct attachment *a = &f->attachment[i];
+        if (!fgl_attachment_image(a))
             continue;
-        if (!is_complete(&f->attachment[i], i))
+        if (!is_complete(a, i))
             return GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
-        images++;
+        first = first ? first : a;
+        same_samples = same_samples && samples_of(a) == samples_of(first);
     }
-    return images ? GL_FRAMEBUFFER_COMPLETE : GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT;
+    if (!first)
+        return GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT;
+    return same_samples ? GL_FRAMEBUFFER_COMPLETE : GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE;
 }
 
 GLenum fgl_exec_CheckFramebufferStatus(struct context *ctx, GLenum target)

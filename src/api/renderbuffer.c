@@ -155,7 +155,7 @@ static bool allocate(struct texture_image *image, const struct texture_format *f
 }
 
 /* OSMesa rule: sizes are compared before the format. */
-static void storage(struct context *ctx, GLenum target, GLenum internal_format, GLsizei width, GLsizei height)
+static void storage(struct context *ctx, GLenum target, GLsizei samples, GLenum internal_format, GLsizei width, GLsizei height)
 {
     struct renderbuffer *r = ctx->framebuffers ? ctx->framebuffers->renderbuffer : NULL;
     bool stencil;
@@ -170,20 +170,20 @@ static void storage(struct context *ctx, GLenum target, GLenum internal_format, 
     fgl_texture_image_clear(&r->image);
     r->image = image;
     r->internal_format = internal_format;
+    r->samples = samples;
 }
 
 void fgl_exec_RenderbufferStorage(struct context *ctx, GLenum target, GLenum internalformat, GLsizei width, GLsizei height)
 {
-    storage(ctx, target, internalformat, width, height);
+    storage(ctx, target, 0, internalformat, width, height);
 }
 
-/* There is no multisampling: GL_MAX_SAMPLES is 0. */
 void fgl_exec_RenderbufferStorageMultisample(struct context *ctx, GLenum target, GLsizei samples, GLenum internalformat, GLsizei width,
                                              GLsizei height)
 {
     RETURN_ERROR_IF(ctx, target != GL_RENDERBUFFER, GL_INVALID_ENUM);
-    RETURN_ERROR_IF(ctx, samples != 0, GL_INVALID_VALUE);
-    storage(ctx, target, internalformat, width, height);
+    RETURN_ERROR_IF(ctx, samples < 0 || samples > FGL_MAX_SAMPLES, GL_INVALID_VALUE);
+    storage(ctx, target, samples, internalformat, width, height);
 }
 
 int fgl_image_color_bits(const struct texture_image *image, int channel)
@@ -191,7 +191,8 @@ int fgl_image_color_bits(const struct texture_image *image, int channel)
     if (!image->format || image->kind == TEXELS_DEPTH)
         return 0;
     const GLenum base = image->format->base_format;
-    return channel == 3 || base == GL_RGB || base == GL_RGBA ? image->format->bits[channel] : 0;
+    const bool shown = channel == 3 || base == GL_RED || base == GL_RG || base == GL_RGB || base == GL_RGBA;
+    return shown ? image->format->bits[channel] : 0;
 }
 
 void fgl_exec_GetRenderbufferParameteriv(struct context *ctx, GLenum target, GLenum pname, GLint *params)
@@ -210,7 +211,7 @@ void fgl_exec_GetRenderbufferParameteriv(struct context *ctx, GLenum target, GLe
     case GL_RENDERBUFFER_ALPHA_SIZE: *params = fgl_image_color_bits(image, (int)(pname - GL_RENDERBUFFER_RED_SIZE)); break;
     case GL_RENDERBUFFER_DEPTH_SIZE: *params = image->format && image->kind == TEXELS_DEPTH ? image->format->bits[0] : 0; break;
     case GL_RENDERBUFFER_STENCIL_SIZE: *params = image->stencil ? 8 : 0; break;
-    case GL_RENDERBUFFER_SAMPLES: *params = 0; break;
+    case GL_RENDERBUFFER_SAMPLES: *params = r->samples; break;
     default: fgl_error(ctx, GL_INVALID_ENUM); break;
     }
 }

@@ -9,6 +9,7 @@ struct renderbuffer {
     GLuint name;
     bool created; /* bound once; until then only its name is taken */
     GLenum internal_format; /* as given */
+    int samples; /* as given: 0 or 1 */
     struct texture_image image;
 };
 

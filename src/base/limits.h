@@ -11,6 +11,7 @@ enum {
     FGL_MAX_3D_TEXTURE_LEVELS = 12,
     FGL_MAX_3D_TEXTURE_SIZE = 1 << (FGL_MAX_3D_TEXTURE_LEVELS - 1),
     FGL_MAX_TEXTURE_LOD_BIAS = 16,
+    FGL_MAX_SAMPLES = 1, /* of a renderbuffer; there is never more than one */
     FGL_MAX_MODELVIEW_DEPTH = 32,
     FGL_MAX_PROJECTION_DEPTH = 32,
     FGL_MAX_TEXTURE_DEPTH = 10,

@@ -10,13 +10,13 @@ enum { MAX_DEPTH_BITS = 24 }; /* that fragments are tested with */
 /* How colours of an image are kept while they are drawn to: bytes, or words where the image has more bits. */
 static enum color_kind drawn_kind(const struct texture_image *image)
 {
-    return image && image->kind == TEXELS_FLOAT ? COLOR_UNORM16 : COLOR_UNORM8;
+    return image && image->kind == TEXELS_FLOAT && image->format->encoding == ENCODED_UNORM ? COLOR_UNORM16 : COLOR_UNORM8;
 }
 
 bool fgl_surface_is_plain(const struct texture_image *image)
 {
     const struct texture_format *f = image->format;
-    return (f->base_format == GL_RGBA || f->base_format == GL_RGB) && f->bits[0] == (f->kind == TEXELS_FLOAT ? 16 : 8);
+    return (f->base_format == GL_RGBA || f->base_format == GL_RGB) && f->bits[0] == (drawn_kind(image) == COLOR_UNORM16 ? 16 : 8);
 }
 
 /* GL 1.5, 4.1.8: without alpha it reads as 1. */
@@ -39,6 +39,20 @@ static void load_bytes(struct framebuffer *fb, const struct surface *s, int y)
     uint32_t *out = (uint32_t *)fb->color + row_of(fb, y);
     for (int x = 0; x < fb->width; x++)
         out[x] = in[4 * x] | (uint32_t)in[4 * x + 1] << 8 | (uint32_t)in[4 * x + 2] << 16 | (uint32_t)in[4 * x + 3] << 24;
+}
+
+/* sRGB: what is drawn to are the values on the curve. */
+static void load_encoded(struct framebuffer *fb, const struct surface *s, int y)
+{
+    uint32_t plane[4][TEXTURE_RUN];
+    uint32_t *const planes[4] = {plane[0], plane[1], plane[2], plane[3]};
+    uint32_t *out = (uint32_t *)fb->color + row_of(fb, y);
+    for (int x = 0; x < fb->width; x += TEXTURE_RUN) {
+        const int n = fgl_min(TEXTURE_RUN, fb->width - x);
+        fgl_texture_load_integers(s->image, x, y, s->slice, n, planes);
+        for (int i = 0; i < n; i++)
+            out[x + i] = plane[0][i] | plane[1][i] << 8 | plane[2][i] << 16 | plane[3][i] << 24;
+    }
 }
 
 static void load_words(struct framebuffer *fb, const struct surface *s, int y)
@@ -67,7 +81,7 @@ static void load_floats(struct framebuffer *fb, const struct surface *s, int y)
 static void load_color(struct framebuffer *fb, const struct surface *s, int y)
 {
     switch (fb->color_kind) {
-    case COLOR_UNORM8: load_bytes(fb, s, y); break;
+    case COLOR_UNORM8: s->image->kind == TEXELS_UNORM8 ? load_bytes(fb, s, y) : load_encoded(fb, s, y); break;
     case COLOR_UNORM16: load_words(fb, s, y); break;
     default: load_floats(fb, s, y); break;
     }

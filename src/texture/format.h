@@ -48,7 +48,8 @@ static inline bool fgl_texture_format_compressed(const struct texture_format *fo
 /* Whether images of the format can be drawn to. */
 static inline bool fgl_texture_format_drawable(const struct texture_format *format)
 {
-    return format->kind != TEXELS_DEPTH && format->encoding == ENCODED_UNORM && !fgl_texture_format_compressed(format);
+    const bool srgb = format->encoding == ENCODED_SRGB && (format->base_format == GL_RGB || format->base_format == GL_RGBA);
+    return format->kind != TEXELS_DEPTH && (format->encoding == ENCODED_UNORM || srgb) && !fgl_texture_format_compressed(format);
 }
 
 /* NULL for an enum that is no internal format. */

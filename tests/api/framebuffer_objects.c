@@ -178,6 +178,72 @@ static void attaching_checks_its_arguments(void **state)
     EXPECT_ERROR(GL_INVALID_ENUM, glGetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RED_BITS, &v));
 }
 
+static GLint attachment_value(GLenum attachment, GLenum pname)
+{
+    GLint v = -1;
+    glGetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, attachment, pname, &v);
+    return v;
+}
+
+static void the_window_has_attachments_of_its_own(void **state)
+{
+    (void)state;
+    assert_int_equal(attachment_value(GL_BACK_LEFT, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE), GL_FRAMEBUFFER_DEFAULT);
+    assert_int_equal(attachment_value(GL_FRONT_RIGHT, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE), GL_NONE);
+    assert_int_equal(attachment_value(GL_FRONT, GL_FRAMEBUFFER_ATTACHMENT_GREEN_SIZE), 8);
+    assert_int_equal(attachment_value(GL_DEPTH, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE), 24);
+    assert_int_equal(attachment_value(GL_STENCIL, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE), 8);
+    assert_int_equal(attachment_value(GL_BACK, GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING), GL_LINEAR);
+    assert_int_equal(attachment_value(GL_BACK, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE), GL_UNSIGNED_NORMALIZED);
+    EXPECT_NO_ERROR((void)0);
+    EXPECT_ERROR(GL_INVALID_ENUM, attachment_value(GL_COLOR_ATTACHMENT0, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE));
+    EXPECT_ERROR(GL_INVALID_ENUM, attachment_value(GL_BACK, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
+    EXPECT_ERROR(GL_INVALID_ENUM, attachment_value(GL_BACK, GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL));
+    EXPECT_ERROR(GL_INVALID_OPERATION, attachment_value(GL_FRONT_RIGHT, GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE));
+}
+
+static void all_attachments_have_as_many_samples(void **state)
+{
+    GLint v = -1;
+    (void)state;
+    bind_new_framebuffer();
+    glGetIntegerv(GL_MAX_SAMPLES, &v);
+    assert_true(v >= 1);
+    const GLuint one = renderbuffer_of(GL_RGBA8, 4, 4);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, 1, GL_RGBA8, 4, 4);
+    glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_SAMPLES, &v);
+    assert_true(v >= 1);
+    const GLuint none = renderbuffer_of(GL_DEPTH24_STENCIL8, 4, 4);
+    attach_renderbuffer(GL_COLOR_ATTACHMENT0, one);
+    EXPECT_STATUS(GL_FRAMEBUFFER_COMPLETE);
+    attach_renderbuffer(GL_DEPTH_ATTACHMENT, none);
+    EXPECT_STATUS(GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE);
+    EXPECT_ERROR(GL_INVALID_VALUE, glRenderbufferStorageMultisample(GL_RENDERBUFFER, -1, GL_RGBA8, 4, 4));
+    EXPECT_ERROR(GL_INVALID_ENUM, glRenderbufferStorageMultisample(GL_TEXTURE_2D, 0, GL_RGBA8, 4, 4));
+}
+
+/* They are drawn to as if they were not encoded; textures of them are decoded. */
+static void srgb_images_are_drawn_to(void **state)
+{
+    GLubyte got[4];
+    (void)state;
+    const GLuint texture = texture_of(GL_SRGB8_ALPHA8_EXT, GL_RGBA);
+    bind_new_framebuffer();
+    attach_texture(GL_COLOR_ATTACHMENT0, texture);
+    EXPECT_STATUS(GL_FRAMEBUFFER_COMPLETE);
+    assert_int_equal(attachment_value(GL_COLOR_ATTACHMENT0, GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING), GL_SRGB_EXT);
+    glClearColor(0.2f, 0.4f, 0.6f, 0.8f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, got);
+    assert_true(got[0] == 51 && got[1] == 102 && got[2] == 153 && got[3] == 204);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glEnable(GL_TEXTURE_2D);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+    glRectf(-1, -1, 1, 1);
+    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, got);
+    assert_true(got[0] == 8 && got[1] == 34 && got[2] == 81 && got[3] == 204); /* 0.2, 0.4, 0.6 by the curve */
+}
+
 static void completeness_depends_on_attachments(void **state)
 {
     (void)state;
@@ -389,6 +455,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
             GL_TEST(names_become_objects_when_bound),  GL_TEST(reading_and_drawing_are_bound_apart),
             GL_TEST(renderbuffers_keep_their_format),  GL_TEST(attaching_checks_its_arguments),
+            GL_TEST(the_window_has_attachments_of_its_own),
+            GL_TEST(all_attachments_have_as_many_samples),
+            GL_TEST(srgb_images_are_drawn_to),
             GL_TEST(completeness_depends_on_attachments), GL_TEST(drawing_goes_to_the_texture),
             GL_TEST(texels_are_seen_while_they_are_drawn_to), GL_TEST(two_framebuffers_share_a_renderbuffer),
             GL_TEST(stencil_is_kept),                  GL_TEST(depth_alone_can_be_drawn),
