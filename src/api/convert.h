@@ -17,7 +17,7 @@ static inline float fgl_float_from_int_color(GLint c)
 /* Colours and normals of vertex commands: signed c to (2c + 1) / (2^b - 1), unsigned c to c / (2^b - 1). */
 static inline float fgl_norm_b(GLbyte c) { return (2.0f * (float)c + 1.0f) * (1.0f / 255.0f); }
 static inline float fgl_norm_s(GLshort c) { return (2.0f * (float)c + 1.0f) * (1.0f / 65535.0f); }
-static inline float fgl_norm_i(GLint c) { return (float)((2.0 * (double)c + 1.0) * (1.0 / 4294967295.0)); }
+static inline float fgl_norm_i(GLint c) { return fgl_float_from_int_color(c); }
 static inline float fgl_norm_ub(GLubyte c) { return (float)c / 255.0f; }
 static inline float fgl_norm_us(GLushort c) { return (float)c * (1.0f / 65535.0f); }
 static inline float fgl_norm_ui(GLuint c) { return (float)((double)c * (1.0 / 4294967295.0)); }

@@ -47,6 +47,7 @@ static void compile_elements(struct context *ctx, GLenum mode, int first, int co
     if (!(source.varying & (1u << ATTR_POSITION)))
         count = 0;
     fgl_begin(ctx, mode);
+    ctx->vertices->of_arrays = true;
     for (int i = 0; i < count; i++)
         fgl_array_element(ctx, &source, indices ? element(type, indices, i) : (uint32_t)(first + i), false);
     fgl_end(ctx);
@@ -81,7 +82,7 @@ static void draw_arrays(struct context *ctx, GLenum mode, GLint first, GLsizei c
     }
     if (!fgl_draw_ready(ctx))
         return;
-    fgl_flush_all(ctx);
+    fgl_flush_for_arrays(ctx);
     const struct draw_prim prim = {mode, first, count};
     fgl_draw(ctx, &source, &prim, 1, NULL, (uint32_t)first, last);
 }
@@ -216,7 +217,7 @@ static void draw_elements(struct context *ctx, GLenum mode, GLsizei count, GLenu
     }
     if (!fgl_draw_ready(ctx))
         return;
-    fgl_flush_all(ctx);
+    fgl_flush_for_arrays(ctx);
     struct vertex_source source;
     fgl_array_source(ctx, &source);
     uint32_t min, max;

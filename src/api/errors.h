@@ -41,5 +41,7 @@ void fgl_flush_all(struct context *ctx);
 /* Makes attributes that immediate mode still holds the current values, and draws nothing; for queries of current values.
  * (api/immediate.c) */
 void fgl_flush_current(struct context *ctx);
+/* Before vertices that are not immediate mode's are drawn: stored ones are drawn, attributes become current values. */
+void fgl_flush_for_arrays(struct context *ctx);
 
 #endif

@@ -379,6 +379,7 @@ void fgl_begin(struct context *ctx, GLenum mode)
         fgl_immediate_flush(ctx, im);
     im->prim[im->prim_count++] = (struct immediate_prim){mode, im->count, 0, mode != CONTINUED_PRIMITIVE, false};
     im->mode = mode;
+    im->of_arrays = false;
     im->pending = true; /* attributes between Begin and End are set without a word (vertex_commands.c) */
     if (!im->compiling)
         ctx->begin_mode = mode;
@@ -461,4 +462,12 @@ void fgl_flush_vertices(struct context *ctx, unsigned dirty)
     if (ctx->immediate->stored)
         fgl_flush_all(ctx);
     ctx->dirty |= dirty;
+}
+
+void fgl_flush_for_arrays(struct context *ctx)
+{
+    if (ctx->immediate->stored)
+        fgl_flush_all(ctx);
+    else
+        fgl_flush_current(ctx);
 }

@@ -50,6 +50,7 @@ struct immediate {
     int prim_count;
     GLenum mode; /* of the open primitive, CONTINUED_PRIMITIVE or OUTSIDE_BEGIN_END; in a list's store, of the list alone */
     bool compiling; /* the store of a list: a flush records a node instead of drawing */
+    bool of_arrays; /* while compiling: the last primitive is one of vertex arrays */
     /* While compiling: vertices 0..unset[a] came before attribute a was first given; theirs is the current value at execution. */
     int unset[ATTR_COUNT];
     float copied[IMMEDIATE_MAX_COPIED][VERTEX_MAX_FLOATS]; /* vertices that an open primitive needs again after a flush */

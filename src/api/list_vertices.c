@@ -10,6 +10,7 @@ struct compiled_vertices {
     struct vertex_format format;
     int count, prim_count;
     bool whole; /* every primitive begins and ends here */
+    bool keeps_current; /* current values are afterwards as before: OSMesa rule if the last primitive is one of vertex arrays */
     int unset[ATTR_COUNT]; /* vertices before the attribute's first value: theirs is the current one */
     struct immediate_prim prim[IMMEDIATE_MAX_PRIMS];
     float last[VERTEX_MAX_FLOATS]; /* current values afterwards */
@@ -63,6 +64,7 @@ void fgl_list_record_vertices(struct context *ctx, struct immediate *im)
     node->whole = im->count > 0;
     for (int i = 0; i < im->prim_count; i++)
         node->whole = node->whole && im->prim[i].begin && im->prim[i].end;
+    node->keeps_current = im->of_arrays;
     memcpy(node->unset, im->unset, sizeof node->unset);
     memcpy(node->prim, im->prim, sizeof node->prim);
     memcpy(node->last, im->vertex, sizeof node->last);
@@ -85,7 +87,7 @@ void fgl_list_replay_vertices(struct context *ctx, void *payload)
         replay_by_vertex(ctx, c);
         return;
     }
-    fgl_flush_all(ctx);
+    fgl_flush_for_arrays(ctx);
     fill_unset(ctx, c);
     struct draw_prim prims[IMMEDIATE_MAX_PRIMS];
     for (int i = 0; i < c->prim_count; i++)
@@ -94,5 +96,6 @@ void fgl_list_replay_vertices(struct context *ctx, void *payload)
     fgl_format_source(&c->format, c->vertex, &source);
     source.compiled = true;
     fgl_draw(ctx, &source, prims, c->prim_count, NULL, 0, (uint32_t)c->count - 1);
-    fgl_format_to_current(ctx, &c->format, c->last);
+    if (!c->keeps_current)
+        fgl_format_to_current(ctx, &c->format, c->last);
 }

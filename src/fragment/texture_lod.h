@@ -7,9 +7,10 @@
 
 #include "fragment/texture_filter.h"
 
-/* For each fragment: mag is used on level 0, or min on `level` and, where f is not 0, on the next. */
+/* For each fragment: mag is used on level 0, or min on `level` and, where f is not 0, on the next. magnify_beside: what the fragment in the
+ * same column of the quad's other row does; only for cube maps, the rows of all others agree. */
 struct level_choice {
-    _Alignas(64) int32_t magnify[FRAGMENT_GROUP], level[FRAGMENT_GROUP];
+    _Alignas(64) int32_t magnify[FRAGMENT_GROUP], magnify_beside[FRAGMENT_GROUP], level[FRAGMENT_GROUP];
     int32_t mag[FRAGMENT_GROUP]; /* magnify, if mag differs from min */
     real f[FRAGMENT_GROUP];
     uint32_t used; /* bit: a level on which a live fragment uses min; USED_MAG: one uses mag */
@@ -226,21 +227,36 @@ static FGL_ALWAYS_INLINE void levels_kept(const struct sampler *sampler, const i
 }
 
 /* at: the coordinates of this row. */
+static FGL_ALWAYS_INLINE void choose_cube_levels(const struct fragments *fragments, const struct planes *p,
+                                                 const struct texture_stage *stage, real at[3][FRAGMENT_GROUP],
+                                                 struct level_choice *to)
+{
+    const struct sampler *sampler = &stage->sampler;
+    const bool odd = fragments->row & 1, mipmaps = sampler->mip != MIP_NONE;
+    real other[3][FRAGMENT_GROUP], rho[FRAGMENT_GROUP];
+    coordinates_of_row(stage, p, FRAGMENT_GROUP, fragments->fx, fragments->row ^ 1, 3, other);
+    cube_scale_factors(sampler, odd && !mipmaps ? other : at, odd ? other : at, odd ? at : other, rho);
+    levels_wanted(sampler, 3, rho, to);
+    if (mipmaps && !R_EXACT) {
+        struct level_choice beside;
+        cube_scale_factors(sampler, other, odd ? other : at, odd ? at : other, rho);
+        levels_wanted(sampler, 3, rho, &beside);
+        memcpy(to->magnify_beside, beside.magnify, sizeof beside.magnify);
+    }
+}
+
 static FGL_NOINLINE void choose_levels(const struct fragments *fragments, const struct planes *p,
                                        const struct texture_stage *stage, const int count, real at[3][FRAGMENT_GROUP],
                                        struct level_choice *to)
 {
     const struct sampler *sampler = &stage->sampler;
-    real rho[FRAGMENT_GROUP];
     if (sampler->target == TEXTURE_CUBE_MAP) {
-        real other[3][FRAGMENT_GROUP];
-        const bool odd = fragments->row & 1;
-        coordinates_of_row(stage, p, FRAGMENT_GROUP, fragments->fx, fragments->row ^ 1, 3, other);
-        cube_scale_factors(sampler, odd && sampler->mip == MIP_NONE ? other : at, odd ? other : at, odd ? at : other, rho);
+        choose_cube_levels(fragments, p, stage, at, to);
     } else {
+        real rho[FRAGMENT_GROUP];
         quad_scale_factors(fragments, p, stage, count, rho);
+        levels_wanted(sampler, count, rho, to);
     }
-    levels_wanted(sampler, count, rho, to);
     levels_kept(sampler, fragments->live, to);
 }
 

@@ -4,13 +4,13 @@
 
 #include "fragment/texture_lod.h"
 
-/* GL 1.5, table 3.19: the face of a direction and the coordinates on it. */
+/* GL 1.5, table 3.19: the face of a direction and the coordinates on it. OSMesa rule: no direction is the middle of a face. */
 static inline void choose_faces(struct texture_coords *at)
 {
     FOR_GROUP(i) {
         const real x = at->s[0][i], y = at->s[1][i], z = at->s[2][i];
         const int axis = major_axis(x, y, z);
-        const real major = axis == 2 ? z : axis == 0 ? x : y, scale = (real)0.5 / r_abs(major);
+        const real major = axis == 2 ? z : axis == 0 ? x : y, scale = major == 0 ? 0 : (real)0.5 / r_abs(major);
         const bool negative = major < 0;
         const real s = axis == 2 ? (negative ? -x : x) : axis == 0 ? (negative ? z : -z) : x;
         const real t = axis == 1 ? (negative ? -z : z) : -y;
@@ -62,11 +62,13 @@ static inline void sample_packed(const struct sampler *sampler, const struct tex
 static inline bool round_weights(const struct sampler *sampler, const struct level_choice *choice, int32_t rounded[FRAGMENT_GROUP])
 {
     const int32_t flip = sampler->mag == FILTER_LINEAR ? 0 : -1;
+    const int32_t *beside =
+            sampler->target == TEXTURE_CUBE_MAP && sampler->mip != MIP_NONE ? choice->magnify_beside : choice->magnify;
     int32_t any = 0;
     for (int block = 0; block < FRAGMENT_GROUP; block += 4) {
         int32_t linear = 0;
         for (int i = block; i < block + 4; i++)
-            linear |= choice->magnify[i] ^ flip;
+            linear |= (choice->magnify[i] ^ flip) | (beside[i] ^ flip);
         for (int i = block; i < block + 4; i++)
             any |= rounded[i] = linear & ~(choice->magnify[i] ^ flip);
     }

@@ -185,6 +185,67 @@ static void the_accumulation_buffer_begins_as_zero(void **state)
         assert_int_equal(drawn_pixels(), 0);
 }
 
+/* returned-pictures. GL 1.5, 5.5: what has been drawn is complete after glFinish. */
+static void a_returned_picture_is_shown(void **state)
+{
+    (void)state;
+    glClearAccum(1, 1, 1, 1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_ACCUM_BUFFER_BIT);
+    glFinish();
+    glAccum(GL_RETURN, 1);
+    assert_int_equal(drawn_pixels(), on_fixedgl() ? TEST_SIZE * TEST_SIZE : 0);
+}
+
+/* A triangle, green at its second corner, whose first corner is `x` far out. */
+static void draw_triangle(float x)
+{
+    glBegin(GL_TRIANGLES);
+    glColor3f(1, 0, 0);
+    glVertex2f(x, -1);
+    glColor3f(0, 1, 0);
+    glVertex2f(-1, 1);
+    glColor3f(0, 0, 1);
+    glVertex2f(-1, -1);
+    glEnd();
+}
+
+/* smooth-with-fill. GL 1.5, 2.14.7: the shade model is that of the primitives after it. */
+static void the_shade_model_is_new(void **state)
+{
+    (void)state;
+    glEnable(GL_POINT_SMOOTH);
+    draw_triangle(3); /* clipped */
+    glShadeModel(GL_FLAT);
+    draw_triangle(1);
+    assert_int_equal(pixel(2, TEST_SIZE / 2)[1], on_fixedgl() ? 0 : 129);
+}
+
+/* back-color-material. GL 1.5, 2.14.2: the material of back faces is what was last set for these. */
+static void back_faces_have_their_own_material(void **state)
+{
+    static const GLfloat red[] = {1, 0, 0, 1}, green[] = {0, 1, 0, 1};
+    (void)state;
+    glEnable(GL_LIGHTING);
+    glEnable(GL_LIGHT0);
+    glLightModelfv(GL_LIGHT_MODEL_AMBIENT, (const GLfloat[]){0, 0, 0, 1});
+    glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);
+    glFrontFace(GL_CW);
+    glNormal3f(0, 0, -1);
+    glBegin(GL_TRIANGLES);
+    glMaterialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, red);
+    glVertex2f(-1, -1);
+    glMaterialfv(GL_FRONT, GL_DIFFUSE, green);
+    glVertex2f(3, -1);
+    glVertex2f(-1, 3);
+    glEnd();
+    const unsigned char *middle = pixel(TEST_SIZE / 2, TEST_SIZE / 2);
+    assert_int_equal(middle[0], 255);
+    if (on_fixedgl())
+        assert_int_equal(middle[1], 0);
+    else
+        assert_true(middle[1] > 0);
+}
+
 /* A context of another format for one test; its buffer has a pixel of the middle. */
 static const void *draw_in(GLenum format, GLenum type, void (*draw)(void), void *buffer)
 {
@@ -272,6 +333,9 @@ int main(void)
             GL_TEST(blue_is_mapped),
             GL_TEST(a_surface_of_order_1_is_where_its_point_is),
             GL_TEST(the_accumulation_buffer_begins_as_zero),
+            GL_TEST(a_returned_picture_is_shown),
+            GL_TEST(the_shade_model_is_new),
+            GL_TEST(back_faces_have_their_own_material),
             GL_TEST(denormals_are_kept),
             GL_TEST(pixels_of_three_bytes_are_in_their_places),
             GL_TEST(drawn_depths_and_stencils_are_transferred),

@@ -138,6 +138,7 @@ void feature_feedback(struct generator *g)
     if (g->compiling || g->pushed)
         return;
     EMIT(g, ShadeModel, GL_SMOOTH);
+    settle_shade_model(g);
     EMIT(g, PolygonMode, GL_FRONT_AND_BACK, GL_FILL);
     disable_offset(g);
     EMIT(g, FeedbackBuffer, chance(g, 90) ? 2000 : integer(g, 1, 60), ONE_OF(g, GL_2D, GL_3D, GL_3D_COLOR, GL_4D_COLOR_TEXTURE));

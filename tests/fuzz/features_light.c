@@ -87,14 +87,13 @@ void feature_lighting(struct generator *g)
 
 static void emit_material(struct generator *g)
 {
-    /* Not GL_BACK alone where it becomes an attribute of vertices: OSMesa confuses it with another material then. */
     const bool of_vertices = g->inside || g->compiling;
-    const double face = of_vertices ? ONE_OF(g, GL_FRONT, GL_FRONT_AND_BACK) : ONE_OF(g, GL_FRONT, GL_FRONT_AND_BACK, GL_FRONT_AND_BACK, GL_BACK);
+    const double face = of_vertices ? g->face_of_vertices : ONE_OF(g, GL_FRONT, GL_FRONT_AND_BACK, GL_FRONT_AND_BACK, GL_BACK);
     if (chance(g, 30) && !g->without_shininess) {
         if (chance(g, 20))
-            EMIT(g, Materiali, face, GL_SHININESS, integer(g, 1, 128));
+            EMIT(g, Materiali, face, GL_SHININESS, integer(g, 1, (int)g->largest_shininess));
         else
-            EMIT(g, Materialf, face, GL_SHININESS, real(g, 0.5, 128.0));
+            EMIT(g, Materialf, face, GL_SHININESS, real(g, 0.5, g->largest_shininess));
         return;
     }
     double c[4];
@@ -132,4 +131,11 @@ void feature_color_material(struct generator *g)
 void feature_shade_model(struct generator *g)
 {
     EMIT(g, ShadeModel, ONE_OF(g, GL_FLAT, GL_SMOOTH));
+    settle_shade_model(g);
+}
+
+void settle_shade_model(struct generator *g)
+{
+    if (g->enabled[FEATURE_line_smooth] || g->enabled[FEATURE_point_smooth])
+        emit_unseen_point(g);
 }

@@ -126,5 +126,6 @@ void feature_attrib_stack(struct generator *g)
     EMIT0(g, End);
     EMIT0(g, PopAttrib);
     emit_color(g);
+    settle_shade_model(g);
     random_draw(g);
 }

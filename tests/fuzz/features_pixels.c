@@ -196,6 +196,8 @@ void feature_copy_pixels(struct generator *g)
     /* OSMesa does not always heed the color mask, and gives depths the current color instead of the raster position's. */
     const double write_color = type != GL_DEPTH;
     EMIT(g, ColorMask, write_color, write_color, write_color, write_color);
+    if (type == GL_DEPTH)
+        EMIT(g, Disable, GL_ALPHA_TEST); /* which sees that color, too (departure copied-depths) */
     EMIT(g, CopyPixels, x, y, integer(g, 1, width - x), integer(g, 1, height - y), type);
     EMIT(g, ColorMask, 1, 1, 1, 1);
 }

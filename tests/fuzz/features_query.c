@@ -25,18 +25,21 @@ void feature_errors(struct generator *g)
 
 void feature_get(struct generator *g)
 {
-    static const double names[] = { /* the first not as integers: OSMesa takes the elements of matrices for colors */
-            GL_MODELVIEW_MATRIX, GL_PROJECTION_MATRIX, GL_TEXTURE_MATRIX, GL_CURRENT_NORMAL, GL_CURRENT_COLOR, GL_CURRENT_TEXTURE_COORDS,
-            GL_EDGE_FLAG, GL_VIEWPORT, GL_DEPTH_RANGE, GL_FOG_COLOR, GL_FOG_DENSITY, GL_FOG_MODE, GL_LIGHT_MODEL_AMBIENT, GL_POINT_SIZE,
-            GL_LINE_WIDTH, GL_LINE_STIPPLE_PATTERN, GL_LINE_STIPPLE_REPEAT, GL_POLYGON_MODE, GL_CULL_FACE_MODE, GL_FRONT_FACE,
-            GL_SCISSOR_BOX, GL_ALPHA_TEST_REF, GL_STENCIL_REF, GL_STENCIL_VALUE_MASK, GL_STENCIL_WRITEMASK, GL_BLEND_SRC, GL_BLEND_DST,
-            GL_LOGIC_OP_MODE, GL_COLOR_WRITEMASK, GL_COLOR_CLEAR_VALUE, GL_DEPTH_CLEAR_VALUE, GL_STENCIL_CLEAR_VALUE, GL_DEPTH_FUNC,
+    /* The first are not asked for as integers: OSMesa takes the elements of matrices for colors, and rounds colors, normals and depths down
+     * to other integers (departure integer-queries). */
+    enum { REALS = 11 };
+    static const double names[] = {
+            GL_MODELVIEW_MATRIX, GL_PROJECTION_MATRIX, GL_TEXTURE_MATRIX, GL_CURRENT_NORMAL, GL_CURRENT_COLOR, GL_DEPTH_RANGE, GL_FOG_COLOR,
+            GL_LIGHT_MODEL_AMBIENT, GL_ALPHA_TEST_REF, GL_COLOR_CLEAR_VALUE, GL_DEPTH_CLEAR_VALUE, GL_CURRENT_TEXTURE_COORDS,
+            GL_EDGE_FLAG, GL_VIEWPORT, GL_FOG_DENSITY, GL_FOG_MODE, GL_POINT_SIZE, GL_LINE_WIDTH, GL_LINE_STIPPLE_PATTERN, GL_LINE_STIPPLE_REPEAT, GL_POLYGON_MODE, GL_CULL_FACE_MODE, GL_FRONT_FACE,
+            GL_SCISSOR_BOX, GL_STENCIL_REF, GL_STENCIL_VALUE_MASK, GL_STENCIL_WRITEMASK, GL_BLEND_SRC, GL_BLEND_DST,
+            GL_LOGIC_OP_MODE, GL_COLOR_WRITEMASK, GL_STENCIL_CLEAR_VALUE, GL_DEPTH_FUNC,
             GL_DEPTH_WRITEMASK, GL_SHADE_MODEL, GL_MATRIX_MODE, GL_MODELVIEW_STACK_DEPTH, GL_ATTRIB_STACK_DEPTH, GL_LIST_BASE,
             GL_LIST_INDEX, GL_LIST_MODE, GL_COLOR_MATERIAL_FACE, GL_COLOR_MATERIAL_PARAMETER, GL_POLYGON_OFFSET_FACTOR, GL_DRAW_BUFFER};
     const double name = one_of(g, (int)(sizeof names / sizeof names[0]), names);
     switch (below(g, 8)) {
     case 0: case 1: EMIT(g, GetFloatv, name); break;
-    case 2: EMIT(g, GetIntegerv, one_of(g, (int)(sizeof names / sizeof names[0]) - 4, names + 4)); break;
+    case 2: EMIT(g, GetIntegerv, one_of(g, (int)(sizeof names / sizeof names[0]) - REALS, names + REALS)); break;
     case 3: EMIT(g, GetDoublev, name); break;
     case 4: EMIT(g, GetBooleanv, name); break;
     case 5:

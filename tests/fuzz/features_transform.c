@@ -84,9 +84,9 @@ static void emit_matrix(struct generator *g)
 void feature_matrix(struct generator *g)
 {
     const int other = below(g, 100);
-    if (other < 5)
+    if (other < 5 && use(g, FEATURE_texture_matrix))
         EMIT(g, MatrixMode, GL_TEXTURE);
-    else if (other < 12)
+    else if (other >= 5 && other < 12)
         EMIT(g, MatrixMode, GL_PROJECTION);
     if (chance(g, 30))
         EMIT0(g, LoadIdentity);

@@ -151,6 +151,13 @@ void random_position(struct generator *g, double position[4])
     position[3] = 1.0;
 }
 
+void emit_unseen_point(struct generator *g)
+{
+    EMIT(g, Begin, GL_POINTS);
+    EMIT(g, Vertex3f, 9.0, 9.0, 9.0);
+    EMIT0(g, End);
+}
+
 /* ---- frames ---- */
 
 static void generate_clear(struct generator *g)
@@ -188,6 +195,9 @@ static void choose_features(struct generator *g)
     memcpy(g->enabled, g->selected, sizeof g->enabled);
     g->enabled[FEATURE_lighting] = g->selected[FEATURE_lighting] && chance(g, 70);
     g->plain_lights = chance(g, 30);
+    g->without_shininess = false;
+    g->face_of_vertices = GL_FRONT;
+    g->largest_shininess = 32.0;
     /* OSMesa gives textured bitmaps coordinates that have nothing to do with the raster position, and copies some pixels without
      * texturing them. */
     if (chance(g, 50))
@@ -219,6 +229,20 @@ static void choose_buffers(struct generator *g)
     }
 }
 
+static void choose_lighting(struct generator *g)
+{
+    g->face_of_vertices = ONE_OF(g, GL_FRONT, GL_FRONT_AND_BACK);
+    g->largest_shininess = chance(g, 50) ? 32.0 : 128.0;
+    if (g->largest_shininess == 128.0) {
+        EMIT(g, Enable, GL_NORMALIZE);
+        g->enabled[FEATURE_normalize] = false;
+    }
+    /* Shininess 0 is a named departure where other materials or lights with attenuation are lit with it. */
+    g->without_shininess = g->plain_lights && chance(g, 30);
+    if (!g->without_shininess)
+        EMIT(g, Materialf, GL_FRONT_AND_BACK, GL_SHININESS, real(g, 0.5, g->largest_shininess));
+}
+
 void feature_buffers(struct generator *g)
 {
     (void)g; /* chosen with the script */
@@ -241,12 +265,12 @@ void generate(struct generator *g, struct script *script, uint64_t seed)
     script_clear(script, integer(g, 17, 96), integer(g, 13, 72));
     choose_buffers(g);
     generate_clear(g);
+    if (g->enabled[FEATURE_lighting])
+        choose_lighting(g);
     if (g->enabled[FEATURE_view])
         emit_feature(g, FEATURE_view);
-    /* Shininess 0 is a named departure where other materials or lights with attenuation are lit with it. */
-    g->without_shininess = g->plain_lights && chance(g, 30);
-    if (g->enabled[FEATURE_lighting] && !g->without_shininess)
-        EMIT(g, Materialf, GL_FRONT_AND_BACK, GL_SHININESS, real(g, 0.5, 128.0));
     for (int scenes = integer(g, 1, 3); scenes > 0; scenes--)
         generate_scene(g);
+    if (g->used[FEATURE_accum]) /* else OSMesa may not show what GL_RETURN drew (departure returned-pictures) */
+        emit_unseen_point(g);
 }

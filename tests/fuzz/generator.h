@@ -42,6 +42,10 @@ struct generator {
     int color_size, tex_coord_size;
     /* Lights are plain, neither attenuated nor spots, or no shininess is 0; and lit vertices have w = 1. Else OSMesa is wrong. */
     bool plain_lights, without_shininess;
+    double largest_shininess; /* 128 with normals of length 1, else OSMesa's powers overflow (departure overflowing-power) */
+    /* Of materials that belong to vertices: one in a script. OSMesa gives back faces part of the front material where vertices have
+     * both, one by itself (departure back-color-material). */
+    double face_of_vertices;
     int depth;   /* of lists and stacks within each other */
     bool compiling, executing; /* a list is compiled, and executed */
     bool inside;               /* Begin/End */
@@ -87,6 +91,10 @@ void emit_color(struct generator *g);
 void emit_normal(struct generator *g);
 void emit_vertex(struct generator *g);
 int random_mode(struct generator *g);
+void emit_unseen_point(struct generator *g);
+/* After a change of the shade model, where lines or points may be smooth: an unseen point. Once something has been clipped while they are, OSMesa draws what
+ * comes first after the change in the old shade model (departure smooth-with-fill). */
+void settle_shade_model(struct generator *g);
 /* A number of vertices near the one given that a primitive of this mode may have. */
 int vertex_count(struct generator *g, int mode, int count);
 /* Vertices without Begin and End. */

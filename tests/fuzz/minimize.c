@@ -8,7 +8,7 @@
 struct search {
     struct channel *channel;
     enum outcome outcome;
-    int tries;
+    int tries, preamble; /* preamble: commands at the start that stay as they are */
     bool fair; /* so it was given, so it shall stay */
 };
 
@@ -27,10 +27,20 @@ static bool keeps(struct search *search)
     return true;
 }
 
+/* The clears, GL_NORMALIZE and the first shininess, without which named departures are drawn. */
+static int preamble_of(const struct script *s)
+{
+    int ops = 0;
+    while (ops < s->ops && ((s->op[ops].command >= CMD_Clear && s->op[ops].command <= CMD_ClearStencil) ||
+                            s->op[ops].command == CMD_Materialf || s->op[ops].command == CMD_Enable))
+        ops++;
+    return ops;
+}
+
 static bool drop_ranges(struct search *search, int length)
 {
     bool dropped = false;
-    for (int from = best.ops - 1; from >= 0 && search->tries > 0; from--) {
+    for (int from = best.ops - 1; from >= search->preamble && search->tries > 0; from--) {
         const int to = script_range(&best, from, length);
         if (to < 0 || (to - from > 2 * length && length > 1))
             continue;
@@ -71,12 +81,12 @@ static bool simplify_op(struct search *search, int op)
 struct difference minimize(struct channel *channel, enum outcome outcome, int tries)
 {
     best = channel->script;
-    struct search search = {channel, outcome, tries, script_is_fair(&best)};
+    struct search search = {channel, outcome, tries, preamble_of(&best), script_is_fair(&best)};
     for (int length = best.ops / 2; length > 1; length /= 2)
         drop_ranges(&search, length);
     while (drop_ranges(&search, 1))
         ;
-    for (int op = best.ops - 1; op >= 0; op--)
+    for (int op = best.ops - 1; op >= search.preamble; op--)
         simplify_op(&search, op);
     channel->script = best;
     return workers_compare(channel);

@@ -1,5 +1,6 @@
 #!/bin/sh
-# A short comparison of random command streams with OSMesa, always the same ones: part of make test.
+# A short comparison of random command streams with OSMesa, always the same ones, after the scripts of differences that were found and
+# mended: part of make test.
 set -eu
 BUILD=${BUILD:-build}
 program=$BUILD/tests/fuzz/fuzz_diff
@@ -8,4 +9,11 @@ if ! "$BUILD/bin/fixedgl" info "${OSMESA:-libOSMesa.so.8}" >/dev/null 2>&1; then
     exit 0
 fi
 [ -x "$program" ] || { echo "$program is not built"; exit 1; }
-exec "$program" --seed 1 --count 50 --seconds 90 --show 3 --tries 100 "$BUILD/lib/libfixedgl.so" "${OSMESA:-libOSMesa.so.8}"
+set -- "$BUILD/lib/libfixedgl.so" "${OSMESA:-libOSMesa.so.8}"
+status=0
+for script in "$(dirname "$0")"/scripts/*.txt; do
+    printf '%s: ' "$script"
+    "$program" --script "$script" "$@" || status=1
+done
+"$program" --seed 1 --count 50 --seconds 90 --show 3 --tries 100 "$@" || status=1
+exit $status
