@@ -62,14 +62,14 @@ MEASURE = $(BUILD)/bin/fixedgl-measure
 RPATH = -Wl,-rpath,'$$ORIGIN/../lib'
 RPATH_LIB = -Wl,-rpath,'$$ORIGIN:$$ORIGIN/..'
 
-.PHONY: all libs help deps diff test check asan bench tradeoff goldens vec-report identity fuzz-diff piglit install clean format \
+.PHONY: all libs help deps diff test check asan bench tradeoff goldens vec-report identity fuzz-diff piglit packages install clean format \
         test-programs diff-run
 
 all: $(LIBS) $(FIXEDGL) $(MEASURE) $(EXAMPLES)
 libs: $(LIBS)
 
 help:
-	@sed -n '3,4p' Makefile; echo '#   make asan | bench | tradeoff | goldens | vec-report | identity | fuzz-diff | piglit | install | clean | format'
+	@sed -n '3,4p' Makefile; echo '#   make asan | bench | tradeoff | goldens | vec-report | identity | fuzz-diff | piglit | packages | install | clean | format'
 
 $(BUILD)/src/%.o: src/%.c
 	@mkdir -p $(@D)
@@ -222,6 +222,16 @@ $(PIGLIT)/libwaffle-1.so.0: tests/piglit/waffle.c
 $(PIGLIT)/libGL.so.1: tests/piglit/glx.c
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS) -shared -Wl,-soname,$(@F) $< -o $@
+
+# Programs of other people, as Debian packages them, drawn with both (docs/porting.md).
+PACKAGES = $(BUILD)/tests/packages
+packages: deps
+	@tests/tools/deps.sh billard-gl trend calculix-cgx libopengl-perl gle-doc libgle3-dev libghc-glut-dev libghc-glut-doc libghc-random-dev
+	$(MAKE) -j$(JOBS) libs $(FIXEDGL)
+	tests/packages/build.sh $(PACKAGES) $(LIB)
+	LD_LIBRARY_PATH=$(abspath $(LIB)/drop-in) $(FIXEDGL) diff --pictures tests/packages/pictures.txt --departures tests/packages/departures.txt \
+	    --examples $(PACKAGES) --output $(abspath $(BUILD)/packages) --reference osmesa \
+	    --osmesa $$(ldconfig -p | sed -n 's/.*libOSMesa.so.8 .*=> //p' | head -n 1)
 
 identity: deps
 	$(MAKE) -j$(JOBS) all
