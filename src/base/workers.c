@@ -13,20 +13,24 @@ struct worker {
     pthread_t thread;
 };
 
+struct job {
+    unsigned generation; /* jobs are numbered */
+    int items;
+    fgl_task *task;
+    void *argument;
+};
+
 struct workers {
     int count; /* with the calling thread */
     struct worker worker[FGL_MAX_WORKERS];
     pthread_mutex_t lock;
     pthread_cond_t start, done;
 
-    /* The job, written under the lock before `generation` rises. */
-    fgl_task *task;
-    void *job;
-    int items;
+    struct job job; /* written under the lock */
     bool quit;
-    atomic_int next;     /* the next item that nobody has taken */
-    atomic_uint generation;
-    atomic_int busy;     /* threads still at work, without the calling one */
+    atomic_uint generation; /* the job's */
+    atomic_ullong ticket;   /* generation << 32 | the next item that nobody has taken */
+    atomic_int finished;    /* items that are done */
 };
 
 enum { SPINS = 4000 }; /* some microseconds: a next job often follows at once */
@@ -45,43 +49,17 @@ int fgl_workers_default(void)
     return n < 1 ? 1 : n > FGL_MAX_WORKERS ? FGL_MAX_WORKERS : (int)n;
 }
 
-static void take_items(struct workers *w, int worker)
+/* Works until no item of the job is left. A thread that comes late, to a job that is over, takes none: nobody has to wait for it. */
+static void take_items(struct workers *w, const struct job *job, int worker)
 {
     for (;;) {
-        const int item = atomic_fetch_add_explicit(&w->next, 1, memory_order_relaxed);
-        if (item >= w->items)
-            return;
-        w->task(w->job, item, worker);
-    }
-}
-
-/* Waits until the generation is no longer `seen`. */
-static unsigned wait_for_job(struct workers *w, unsigned seen)
-{
-    for (int i = 0; i < SPINS; i++) {
-        const unsigned g = atomic_load_explicit(&w->generation, memory_order_acquire);
-        if (g != seen)
-            return g;
-        pause_cpu();
-    }
-    pthread_mutex_lock(&w->lock);
-    while (atomic_load(&w->generation) == seen)
-        pthread_cond_wait(&w->start, &w->lock);
-    pthread_mutex_unlock(&w->lock);
-    return atomic_load(&w->generation);
-}
-
-static void *thread_main(void *arg)
-{
-    struct worker *me = arg;
-    struct workers *w = me->pool;
-    unsigned seen = 0;
-    for (;;) {
-        seen = wait_for_job(w, seen);
-        if (w->quit)
-            return NULL;
-        take_items(w, me->index);
-        if (atomic_fetch_sub(&w->busy, 1) == 1) {
+        unsigned long long ticket = atomic_load(&w->ticket);
+        do {
+            if (ticket >> 32 != job->generation || (uint32_t)ticket >= (uint32_t)job->items)
+                return;
+        } while (!atomic_compare_exchange_weak(&w->ticket, &ticket, ticket + 1));
+        job->task(job->argument, (int)(uint32_t)ticket, worker);
+        if (atomic_fetch_add(&w->finished, 1) == job->items - 1 && worker != 0) {
             pthread_mutex_lock(&w->lock);
             pthread_cond_signal(&w->done);
             pthread_mutex_unlock(&w->lock);
@@ -89,12 +67,39 @@ static void *thread_main(void *arg)
     }
 }
 
-static void publish(struct workers *w)
+/* Waits until the job is not number `seen`. Returns it. */
+static struct job wait_for_job(struct workers *w, unsigned seen)
+{
+    for (int i = 0; i < SPINS && atomic_load_explicit(&w->generation, memory_order_acquire) == seen; i++)
+        pause_cpu();
+    pthread_mutex_lock(&w->lock);
+    while (w->job.generation == seen)
+        pthread_cond_wait(&w->start, &w->lock);
+    const struct job job = w->job;
+    pthread_mutex_unlock(&w->lock);
+    return job;
+}
+
+static void *thread_main(void *arg)
+{
+    struct worker *me = arg;
+    struct workers *w = me->pool;
+    struct job job = {0};
+    for (;;) {
+        job = wait_for_job(w, job.generation);
+        if (w->quit)
+            return NULL;
+        take_items(w, &job, me->index);
+    }
+}
+
+static void publish(struct workers *w, int items, fgl_task *task, void *argument)
 {
     pthread_mutex_lock(&w->lock);
-    atomic_store(&w->next, 0);
-    atomic_store(&w->busy, w->count - 1);
-    atomic_fetch_add(&w->generation, 1);
+    w->job = (struct job){w->job.generation + 1, items, task, argument};
+    atomic_store(&w->finished, 0);
+    atomic_store(&w->ticket, (unsigned long long)w->job.generation << 32);
+    atomic_store(&w->generation, w->job.generation);
     pthread_cond_broadcast(&w->start);
     pthread_mutex_unlock(&w->lock);
 }
@@ -125,7 +130,7 @@ void fgl_workers_destroy(struct workers *w)
     if (!w)
         return;
     w->quit = true;
-    publish(w);
+    publish(w, 0, NULL, NULL);
     for (int i = 1; i < w->count; i++)
         pthread_join(w->worker[i].thread, NULL);
     pthread_cond_destroy(&w->done);
@@ -138,22 +143,19 @@ int fgl_workers_count(const struct workers *w) { return w->count; }
 
 void fgl_workers_run(struct workers *w, int items, fgl_task *task, void *job)
 {
-    w->task = task;
-    w->job = job;
-    w->items = items;
     if (w->count == 1 || items == 1) {
         for (int i = 0; i < items; i++)
             task(job, i, 0);
         return;
     }
-    publish(w);
-    take_items(w, 0);
-    for (int i = 0; i < SPINS && atomic_load_explicit(&w->busy, memory_order_acquire); i++)
+    publish(w, items, task, job);
+    take_items(w, &w->job, 0);
+    for (int i = 0; i < SPINS && atomic_load_explicit(&w->finished, memory_order_acquire) < items; i++)
         pause_cpu();
-    if (atomic_load(&w->busy) == 0)
+    if (atomic_load(&w->finished) == items)
         return;
     pthread_mutex_lock(&w->lock);
-    while (atomic_load(&w->busy))
+    while (atomic_load(&w->finished) < items)
         pthread_cond_wait(&w->done, &w->lock);
     pthread_mutex_unlock(&w->lock);
 }
