@@ -224,6 +224,26 @@ static void the_framebuffer_is_copied(void **state)
     assert_memory_equal(got, expected, sizeof got);
 }
 
+/* A bias that changes nothing, but is pixel transfer, takes the colours through floats. */
+static void copied_bytes_are_those_of_copied_floats(void **state)
+{
+    static const GLenum formats[] = {GL_RGBA8, GL_RGB8, GL_LUMINANCE8, GL_ALPHA8, GL_LUMINANCE8_ALPHA8, GL_INTENSITY8};
+    (void)state;
+    GLubyte bytes[40 * 30 * 4], floats[40 * 30 * 4];
+    fill_pixels();
+    glWindowPos2i(0, 0);
+    glDrawPixels(64, 64, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
+        EXPECT_NO_ERROR(glCopyTexImage2D(GL_TEXTURE_2D, 0, formats[i], 3, 5, 40, 30, 0));
+        glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
+        glPixelTransferf(GL_ALPHA_BIAS, 1e-30f);
+        EXPECT_NO_ERROR(glCopyTexImage2D(GL_TEXTURE_2D, 0, formats[i], 3, 5, 40, 30, 0));
+        glPixelTransferf(GL_ALPHA_BIAS, 0);
+        glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, floats);
+        assert_memory_equal(bytes, floats, sizeof bytes);
+    }
+}
+
 static void proxies_answer(void **state)
 {
     (void)state;
@@ -287,6 +307,7 @@ int main(void)
             GL_TEST(slices_follow_the_pixel_store),
             GL_TEST(parts_replace_parts),
             GL_TEST(the_framebuffer_is_copied),
+            GL_TEST(copied_bytes_are_those_of_copied_floats),
             GL_TEST(proxies_answer),
             GL_TEST(mipmaps_are_generated),
             GL_TEST(lists_keep_images),

@@ -3,6 +3,7 @@
 #define BENCH_FUNCTIONS_H
 
 #include <GL/gl.h>
+#include <GL/glext.h>
 #include <GL/osmesa.h>
 
 /* clang-format off */
@@ -11,6 +12,8 @@
     F(void, ActiveTexture, (GLenum))                                                                         \
     F(void, AlphaFunc, (GLenum, GLfloat))                                                                    \
     F(void, Begin, (GLenum))                                                                                 \
+    F(void, BindFramebuffer, (GLenum, GLuint))                                                               \
+    F(void, BindTexture, (GLenum, GLuint))                                                                   \
     F(void, Bitmap, (GLsizei, GLsizei, GLfloat, GLfloat, GLfloat, GLfloat, const GLubyte *))                 \
     F(void, BlendFunc, (GLenum, GLenum))                                                                     \
     F(void, CallList, (GLuint))                                                                              \
@@ -30,6 +33,9 @@
     F(void, Finish, (void))                                                                                  \
     F(void, Fogf, (GLenum, GLfloat))                                                                         \
     F(void, Fogi, (GLenum, GLint))                                                                           \
+    F(void, FramebufferTexture2D, (GLenum, GLenum, GLenum, GLuint, GLint))                                   \
+    F(void, GenFramebuffers, (GLsizei, GLuint *))                                                            \
+    F(void, GenTextures, (GLsizei, GLuint *))                                                                \
     F(GLenum, GetError, (void))                                                                              \
     F(const GLubyte *, GetString, (GLenum))                                                                  \
     F(void, Lightf, (GLenum, GLenum, GLfloat))                                                               \
@@ -63,7 +69,8 @@
     F(void, Vertex2f, (GLfloat, GLfloat))                                                                    \
     F(void, Vertex3f, (GLfloat, GLfloat, GLfloat))                                                           \
     F(void, Vertex3fv, (const GLfloat *))                                                                    \
-    F(void, VertexPointer, (GLint, GLenum, GLsizei, const GLvoid *))
+    F(void, VertexPointer, (GLint, GLenum, GLsizei, const GLvoid *))                                         \
+    F(void, Viewport, (GLint, GLint, GLsizei, GLsizei))
 /* clang-format on */
 
 #define DECLARE_FUNCTION(result, name, parameters) result(*name) parameters;

@@ -1,7 +1,7 @@
 /* Textured quads over the whole window, and images that come and go: what a texel costs. */
 #include "scene.h"
 
-enum { QUADS = 20, SIZE = 256, LEVELS = 9, UPLOADS = 8 };
+enum { QUADS = 20, SIZE = 256, LEVELS = 9, UPLOADS = 8, PASSES = 8 };
 
 struct texturing {
     GLint min_filter, mag_filter;
@@ -78,6 +78,49 @@ static void copy(const struct scene *scene, const struct instance *instance)
         gl.CopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 10, 10, SIZE, SIZE);
 }
 
+/* A texture to draw into, and a framebuffer object that does. */
+static void open_target(const struct scene *scene, struct instance *instance)
+{
+    GLuint *name = instance->index = allocate(2, sizeof *name);
+    open(scene, instance);
+    gl.GenTextures(1, &name[0]);
+    gl.BindTexture(GL_TEXTURE_2D, name[0]);
+    make_texture(scene->detail, instance->image);
+    gl.GenFramebuffers(1, &name[1]);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, name[1]);
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, name[0], 0);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+    gl.Disable(GL_DEPTH_TEST);
+}
+
+static void draw_quad(float size, float repeat)
+{
+    static const float corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    gl.Begin(GL_QUADS);
+    for (int k = 0; k < 4; k++) {
+        gl.Color4f(0.3f + 0.2f * (float)k, 0.5f, 0.8f, 1);
+        gl.MultiTexCoord2f(GL_TEXTURE0, repeat * corner[k][0], repeat * corner[k][1]);
+        gl.Vertex2f(size * corner[k][0], size * corner[k][1]);
+    }
+    gl.End();
+}
+
+/* Each pass a quad without texture into the texture, and one with it into the window. */
+static void render_to_texture(const struct scene *scene, const struct instance *instance)
+{
+    for (int i = 0; i < PASSES; i++) {
+        gl.BindFramebuffer(GL_FRAMEBUFFER, instance->index[1]);
+        gl.Viewport(0, 0, SIZE, SIZE);
+        gl.Disable(GL_TEXTURE_2D);
+        gl.Clear(GL_COLOR_BUFFER_BIT);
+        draw_quad(0.9f, 0);
+        gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+        gl.Viewport(0, 0, scene->size, scene->size);
+        gl.Enable(GL_TEXTURE_2D);
+        draw_quad(1, 1);
+    }
+}
+
 #define TEXTURED(name, min, mag, environment, units, repeat) \
     {name, 500, 4, open, draw, &(const struct texturing){min, mag, environment, units, repeat}, false}
 #define IMAGES(name, draw) \
@@ -92,5 +135,7 @@ const struct scene texture_scenes[] = {
     IMAGES("8 texture images 256 x 256", upload),
     IMAGES("8 texture parts 128 x 128", replace_part),
     IMAGES("8 texture copies 256 x 256", copy),
+    {"8 times render to texture", 500, 4, open_target, render_to_texture,
+     &(const struct texturing){GL_LINEAR, GL_LINEAR, GL_MODULATE, 1, 1}, false},
     {0},
 };
