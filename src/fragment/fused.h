@@ -24,7 +24,7 @@ static FGL_ALWAYS_INLINE bool fused_depth(const struct planes *p, const struct f
 {
     int32_t *FGL_RESTRICT depth = kind != DEPTH_OFF ? row->depth + x : NULL;
     int32_t any = 0;
-    for (int i = 0; i < FRAGMENT_GROUP; i++) {
+    for (int i = 0; i < FUSED_GROUP; i++) {
         const int32_t inside = -((x + i >= row->x0) & (x + i < row->x1));
         int32_t pass = inside;
         if (kind != DEPTH_OFF) {
@@ -44,7 +44,7 @@ static FGL_ALWAYS_INLINE void fused_color(const struct planes *p, const struct f
 {
     uint32_t *FGL_RESTRICT color = row->color + x;
     const uint32_t *FGL_RESTRICT image = source == COLOR_IMAGE ? row->image + x : NULL;
-    for (int i = 0; i < FRAGMENT_GROUP; i++) {
+    for (int i = 0; i < FUSED_GROUP; i++) {
         uint32_t c = source == COLOR_IMAGE ? image[i] : row->flat_color;
         if (source == COLOR_SMOOTH) {
             const real fx = (real)(x + i), w = 1 / plane_at(p, LANE_OOW, fx, row->y);
@@ -80,8 +80,8 @@ static FGL_ALWAYS_INLINE void fused_fill(const struct fragment_plan *plan, const
         row.x1 = runs->x1[i];
         row.depth = kind != DEPTH_OFF ? (int32_t *)fb->depth + (runs->y + i) * stride : NULL;
         row.color = (uint32_t *)fb->color + (runs->y + i) * stride;
-        for (int x = row.x0 & -FRAGMENT_GROUP; x < row.x1; x += FRAGMENT_GROUP) {
-            int32_t live[FRAGMENT_GROUP];
+        for (int x = row.x0 & -FUSED_GROUP; x < row.x1; x += FUSED_GROUP) {
+            int32_t live[FUSED_GROUP];
             if (fused_depth(planes, &row, x, live, kind))
                 fused_color(planes, &row, x, live, source);
         }

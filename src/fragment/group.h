@@ -1,7 +1,7 @@
 /* What the kernels share: the group of neighbouring pixels that one loop works on, planes, and conversions to
  * integers. Included by kernels.c only, which is compiled once for each instruction set.
  *
- * A group is FRAGMENT_GROUP pixels of one row, starting at a multiple of FRAGMENT_GROUP, so that loops have a
+ * A group is FRAGMENT_GROUP pixels of one row (FUSED_GROUP in the fused kernels), starting at a multiple of that, so that loops have a
  * constant length and the compiler makes vector code of them. Pixels of a group that are not covered are read
  * and written back unchanged; rows of the framebuffer are padded for that. */
 #ifndef FGL_FRAGMENT_GROUP_H
@@ -11,10 +11,13 @@
 
 #include "fragment/planes.h"
 
+/* What a group costs as a whole counts for more in the general path, and small primitives for more in the fused kernels. */
 #ifdef __AVX512F__
-enum { FRAGMENT_GROUP = 16 };
+enum { FRAGMENT_GROUP = 16, FUSED_GROUP = 16 };
+#elif defined(__AVX2__)
+enum { FRAGMENT_GROUP = 16, FUSED_GROUP = 8 };
 #else
-enum { FRAGMENT_GROUP = 8 };
+enum { FRAGMENT_GROUP = 8, FUSED_GROUP = 8 };
 #endif
 
 /* Fog's coefficients in the arithmetic's type. */
