@@ -83,7 +83,7 @@ static void draw_arrays(struct context *ctx, GLenum mode, GLint first, GLsizei c
     if (!fgl_draw_ready(ctx))
         return;
     fgl_flush_for_arrays(ctx);
-    const struct draw_prim prim = {mode, first, count};
+    const struct draw_prim prim = {mode, first, count, false};
     fgl_draw(ctx, &source, &prim, 1, NULL, (uint32_t)first, last);
 }
 
@@ -228,7 +228,7 @@ static void draw_elements(struct context *ctx, GLenum mode, GLsizei count, GLenu
         draw_scattered(ctx, &source, mode, count, e);
         return;
     }
-    const struct draw_prim prim = {mode, 0, count};
+    const struct draw_prim prim = {mode, 0, count, false};
     fgl_draw(ctx, &source, &prim, 1, e, min, max);
 }
 

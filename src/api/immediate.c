@@ -122,7 +122,7 @@ static int collect_prims(struct immediate *im, struct draw_prim *out)
     int n = 0;
     for (int i = 0; i < im->prim_count; i++) {
         const struct immediate_prim *p = &im->prim[i];
-        struct draw_prim d = {p->mode, p->first, p->count};
+        struct draw_prim d = {p->mode, p->first, p->count, !p->begin && p->mode >= GL_LINE_LOOP && p->mode <= GL_LINE_STRIP};
         if (p->mode == GL_LINE_LOOP && !(p->begin && p->end)) {
             d.mode = GL_LINE_STRIP;
             if (!p->begin) { /* [first vertex of the loop, last vertex drawn, ...]: the first is only for closing */

@@ -91,7 +91,7 @@ void fgl_list_replay_vertices(struct context *ctx, void *payload)
     fill_unset(ctx, c);
     struct draw_prim prims[IMMEDIATE_MAX_PRIMS];
     for (int i = 0; i < c->prim_count; i++)
-        prims[i] = (struct draw_prim){c->prim[i].mode, c->prim[i].first, c->prim[i].count};
+        prims[i] = (struct draw_prim){c->prim[i].mode, c->prim[i].first, c->prim[i].count, false};
     struct vertex_source source;
     fgl_format_source(&c->format, c->vertex, &source);
     source.compiled = true;

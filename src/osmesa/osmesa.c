@@ -1,4 +1,4 @@
-/* The OSMesa API: contexts and the buffers that they draw to. Behaviour as Mesa 22.3's (docs/osmesa.md). */
+/* The OSMesa API: contexts and the buffers that they draw to. Behaviour as Mesa 22.3's (docs/departures.md has the differences). */
 #include "osmesa/osmesa.h"
 #include "api/attrib.h"
 #include "api/buffer.h"

@@ -117,18 +117,22 @@ static void points(const struct assembly *as, int n)
     }
 }
 
-static void lines(const struct assembly *as, GLenum mode, int n)
+/* The counter of line stipple goes on along strips and loops and starts anew for each of GL_LINES (3.4.2 "Line Stipple"). */
+static void lines(const struct assembly *as, const struct draw_prim *prim)
 {
-    int counter = 0; /* of line stipple: goes on along strips and loops, starts anew for each of GL_LINES (3.4.2 "Line Stipple") */
-    if (mode == GL_LINES) {
-        for (int i = 0; i + 1 < n; i += 2, counter = 0)
-            line(as, i, i + 1, &counter);
+    const int n = prim->count;
+    int *counter = &as->p->stipple_counter;
+    if (!prim->goes_on)
+        *counter = 0;
+    if (prim->mode == GL_LINES) {
+        for (int i = 0; i + 1 < n; i += 2, *counter = 0)
+            line(as, i, i + 1, counter);
         return;
     }
     for (int i = 0; i + 1 < n; i++)
-        line(as, i, i + 1, &counter);
-    if (mode == GL_LINE_LOOP && n > 1)
-        line(as, n - 1, 0, &counter);
+        line(as, i, i + 1, counter);
+    if (prim->mode == GL_LINE_LOOP && n > 1)
+        line(as, n - 1, 0, counter);
 }
 
 static FGL_ALWAYS_INLINE void triangles(const struct assembly *as, int n)
@@ -261,7 +265,7 @@ void fgl_assemble(struct pipeline *p, const struct draw_prim *prim, const uint32
     if (prim->mode == GL_POINTS)
         points(&as, prim->count);
     else if (prim->mode < GL_TRIANGLES)
-        lines(&as, prim->mode, prim->count);
+        lines(&as, prim);
     else if (!p->plan.polygon_fill)
         in_polygon_mode(&as, prim->mode, prim->count, compiled);
     else if (elements)

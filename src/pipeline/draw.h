@@ -26,6 +26,7 @@ struct vertex_source {
 struct draw_prim {
     GLenum mode;
     int first, count;
+    bool goes_on; /* a line strip whose beginning was another draw's: its stipple goes on too */
 };
 
 /* Draws n primitives. elements: NULL, or vertex numbers, all within min_index..max_index. */

@@ -82,7 +82,7 @@ struct pipeline {
     bool one_by_one;            /* triangles are drawn as `primitive` */
     struct workers *workers; /* started by the first large draw */
     struct vertex_batch *batch[FGL_MAX_WORKERS]; /* each worker's, allocated when first used */
-    int stipple_counter; /* of polygons drawn as lines */
+    int stipple_counter; /* of line stipple: of the line or polygon that was drawn last */
     uint32_t *elements; /* work space of glDrawElements */
     int elements_capacity;
 };
