@@ -8,6 +8,7 @@
 #include "framebuffer/pixel_unpack.h"
 #include "pipeline/feedback.h"
 #include "pipeline/pixels.h"
+#include "state/share.h"
 
 #include <math.h>
 #include <string.h>
@@ -88,24 +89,25 @@ void fgl_list_replay_bitmap(struct context *ctx, const void *payload)
     fgl_bitmap(ctx, n->width, n->height, n->origin, n->move, &fgl_packed_store, n->bits);
 }
 
-void GLAPIENTRY glBitmap(GLsizei width, GLsizei height, GLfloat xorig, GLfloat yorig, GLfloat xmove,
-                         GLfloat ymove, const GLubyte *bitmap)
+static void bitmap(struct context *ctx, GLsizei width, GLsizei height, const float origin[2], const float move[2], const void *bits)
 {
-    struct context *ctx = fgl_current;
-    if (!ctx)
-        return;
-    if (fgl_refused_inside(ctx))
-        return;
     if (width < 0 || height < 0) {
         fgl_command_error(ctx, GL_INVALID_VALUE);
         return;
     }
-    const void *bits = bitmap;
     if (!fgl_buffer_image(ctx, &ctx->client.unpack, GL_COLOR_INDEX, GL_BITMAP, width, height, &bits))
         return;
-    const float origin[2] = {xorig, yorig}, move[2] = {xmove, ymove};
     if (ctx->compiling)
         record(ctx, width, height, origin, move, bits);
     if (ctx->compiling != GL_COMPILE)
         fgl_bitmap(ctx, width, height, origin, move, &ctx->client.unpack, bits);
+}
+
+void GLAPIENTRY glBitmap(GLsizei width, GLsizei height, GLfloat xorig, GLfloat yorig, GLfloat xmove,
+                         GLfloat ymove, const GLubyte *bits)
+{
+    struct context *ctx = fgl_current;
+    const float origin[2] = {xorig, yorig}, move[2] = {xmove, ymove};
+    if (ctx && !fgl_refused_inside(ctx))
+        FGL_SHARED(ctx, bitmap(ctx, width, height, origin, move, bits));
 }

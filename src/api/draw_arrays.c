@@ -6,6 +6,7 @@
 #include "api/immediate.h"
 #include "api/list.h"
 #include "pipeline/pipeline.h"
+#include "state/share.h"
 
 #include <stdlib.h>
 
@@ -20,8 +21,10 @@ void GLAPIENTRY glArrayElement(GLint i)
     RETURN_ERROR_IF(ctx, i < 0, GL_INVALID_VALUE);
     RETURN_ERROR_IF(ctx, fgl_arrays_mapped(ctx), GL_INVALID_OPERATION);
     struct vertex_source source;
+    const bool entered = fgl_share_enter(ctx);
     fgl_array_source(ctx, &source);
     fgl_array_element(ctx, &source, (uint32_t)i, false);
+    fgl_share_leave(ctx, entered);
 }
 
 void GLAPIENTRY glArrayElementEXT(GLint i)
@@ -95,7 +98,7 @@ void GLAPIENTRY glDrawArrays(GLenum mode, GLint first, GLsizei count)
     if (first < 0)
         fgl_command_error(ctx, GL_INVALID_VALUE);
     else
-        draw_arrays(ctx, mode, first, count);
+        FGL_SHARED(ctx, draw_arrays(ctx, mode, first, count));
 }
 
 void GLAPIENTRY glMultiDrawArrays(GLenum mode, const GLint *first, const GLsizei *count, GLsizei drawcount)
@@ -110,7 +113,7 @@ void GLAPIENTRY glMultiDrawArrays(GLenum mode, const GLint *first, const GLsizei
         }
     }
     for (GLsizei i = 0; i < drawcount; i++)
-        draw_arrays(ctx, mode, first[i], count[i]);
+        FGL_SHARED(ctx, draw_arrays(ctx, mode, first[i], count[i]));
 }
 
 /* ---- elements ---- */
@@ -236,7 +239,7 @@ void GLAPIENTRY glDrawElements(GLenum mode, GLsizei count, GLenum type, const GL
 {
     struct context *ctx = fgl_current;
     if (ctx && check_elements(ctx, mode, count, type))
-        draw_elements(ctx, mode, count, type, indices, NULL);
+        FGL_SHARED(ctx, draw_elements(ctx, mode, count, type, indices, NULL));
 }
 
 void GLAPIENTRY glDrawRangeElements(GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type, const GLvoid *indices)
@@ -248,7 +251,7 @@ void GLAPIENTRY glDrawRangeElements(GLenum mode, GLuint start, GLuint end, GLsiz
     if (end < start)
         fgl_command_error(ctx, GL_INVALID_VALUE);
     else
-        draw_elements(ctx, mode, count, type, indices, &range);
+        FGL_SHARED(ctx, draw_elements(ctx, mode, count, type, indices, &range));
 }
 
 void GLAPIENTRY glMultiDrawElements(GLenum mode, const GLsizei *count, GLenum type, const GLvoid *const *indices, GLsizei drawcount)
@@ -263,5 +266,5 @@ void GLAPIENTRY glMultiDrawElements(GLenum mode, const GLsizei *count, GLenum ty
         }
     }
     for (GLsizei i = 0; i < drawcount; i++)
-        draw_elements(ctx, mode, count[i], type, indices[i], NULL);
+        FGL_SHARED(ctx, draw_elements(ctx, mode, count[i], type, indices[i], NULL));
 }

@@ -6,6 +6,7 @@
 #include "api/pixel_image.h"
 #include "api/set.h"
 #include "framebuffer/pixel_unpack.h"
+#include "state/share.h"
 
 GLenum fgl_draw_buffer_error(struct context *ctx, GLenum format)
 {
@@ -51,13 +52,8 @@ void fgl_list_replay_draw_pixels(struct context *ctx, const void *payload)
     fgl_draw_image(ctx, n->width, n->height, n->format, n->type, &fgl_packed_store, n->pixels, false);
 }
 
-void GLAPIENTRY glDrawPixels(GLsizei width, GLsizei height, GLenum format, GLenum type, const GLvoid *pixels)
+static void draw_pixels(struct context *ctx, GLsizei width, GLsizei height, GLenum format, GLenum type, const GLvoid *pixels)
 {
-    struct context *ctx = fgl_current;
-    if (!ctx)
-        return;
-    if (fgl_refused_inside(ctx))
-        return;
     const GLenum error = draw_pixels_error(ctx, width, height, format, type);
     if (error) {
         fgl_command_error(ctx, error);
@@ -69,6 +65,13 @@ void GLAPIENTRY glDrawPixels(GLsizei width, GLsizei height, GLenum format, GLenu
         record(ctx, width, height, format, type, pixels);
     if (ctx->compiling != GL_COMPILE)
         fgl_draw_image(ctx, width, height, format, type, &ctx->client.unpack, pixels, false);
+}
+
+void GLAPIENTRY glDrawPixels(GLsizei width, GLsizei height, GLenum format, GLenum type, const GLvoid *pixels)
+{
+    struct context *ctx = fgl_current;
+    if (ctx && !fgl_refused_inside(ctx))
+        FGL_SHARED(ctx, draw_pixels(ctx, width, height, format, type, pixels));
 }
 
 void fgl_exec_PixelZoom(struct context *ctx, GLfloat xfactor, GLfloat yfactor)

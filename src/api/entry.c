@@ -4,6 +4,7 @@
 #include "api/command.h"
 #include "api/errors.h"
 #include "api/list.h"
+#include "state/share.h"
 
 #include <string.h>
 
@@ -30,7 +31,7 @@
             if (ctx->compiling == GL_COMPILE)                                                                \
                 return;                                                                                      \
         }                                                                                                    \
-        fgl_exec_##name(ctx, FGL_LIST(FGL_NAME, __VA_ARGS__));                                               \
+        FGL_SHARED(ctx, fgl_exec_##name(ctx, FGL_LIST(FGL_NAME, __VA_ARGS__)));                              \
     }
 
 #define FGL_LAST_NAME(...) FGL_CAT(FGL_LAST, FGL_NARGS(__VA_ARGS__))(__VA_ARGS__)
@@ -58,7 +59,7 @@
             if (ctx->compiling == GL_COMPILE)                                                                \
                 return;                                                                                      \
         }                                                                                                    \
-        fgl_exec_##name(ctx, FGL_LIST(FGL_NAME, __VA_ARGS__));                                               \
+        FGL_SHARED(ctx, fgl_exec_##name(ctx, FGL_LIST(FGL_NAME, __VA_ARGS__)));                              \
     }
 
 #define CMD_LIST0(name)                                                                                      \
@@ -73,7 +74,7 @@
             if (ctx->compiling == GL_COMPILE)                                                                \
                 return;                                                                                      \
         }                                                                                                    \
-        fgl_exec_##name(ctx);                                                                                \
+        FGL_SHARED(ctx, fgl_exec_##name(ctx));                                                               \
     }
 
 #define CMD_NOW(name, ...)                                                                                   \
@@ -83,7 +84,7 @@
         if (!ctx)                                                                                            \
             return;                                                                                          \
         RETURN_ERROR_IF(ctx, INSIDE(ctx), GL_INVALID_OPERATION);                                             \
-        fgl_exec_##name(ctx, FGL_LIST(FGL_NAME, __VA_ARGS__));                                               \
+        FGL_SHARED(ctx, fgl_exec_##name(ctx, FGL_LIST(FGL_NAME, __VA_ARGS__)));                              \
     }
 
 #define CMD_NOW0(name)                                                                                       \
@@ -93,7 +94,7 @@
         if (!ctx)                                                                                            \
             return;                                                                                          \
         RETURN_ERROR_IF(ctx, INSIDE(ctx), GL_INVALID_OPERATION);                                             \
-        fgl_exec_##name(ctx);                                                                                \
+        FGL_SHARED(ctx, fgl_exec_##name(ctx));                                                               \
     }
 
 #define CMD_GET(ret, name, ...)                                                                              \
@@ -103,7 +104,10 @@
         if (!ctx)                                                                                            \
             return 0;                                                                                        \
         RETURN_VALUE_ERROR_IF(ctx, INSIDE(ctx), GL_INVALID_OPERATION, 0);                                    \
-        return fgl_exec_##name(ctx, FGL_LIST(FGL_NAME, __VA_ARGS__));                                        \
+        const bool entered = fgl_share_enter(ctx);                                                           \
+        ret const result = fgl_exec_##name(ctx, FGL_LIST(FGL_NAME, __VA_ARGS__));                            \
+        fgl_share_leave(ctx, entered);                                                                       \
+        return result;                                                                                       \
     }
 
 #define CMD_GET0(ret, name)                                                                                  \
@@ -113,7 +117,10 @@
         if (!ctx)                                                                                            \
             return 0;                                                                                        \
         RETURN_VALUE_ERROR_IF(ctx, INSIDE(ctx), GL_INVALID_OPERATION, 0);                                    \
-        return fgl_exec_##name(ctx);                                                                         \
+        const bool entered = fgl_share_enter(ctx);                                                           \
+        ret const result = fgl_exec_##name(ctx);                                                             \
+        fgl_share_leave(ctx, entered);                                                                       \
+        return result;                                                                                       \
     }
 
 #define CMD_ALIAS(name, old, ...)                                                                            \

@@ -175,15 +175,28 @@ int fgl_framebuffer_color_bits(const struct context *ctx, int channel)
 
 /* ---- storing ---- */
 
+/* Whether no context that shares the attached images has made others of them since they were loaded. */
+static bool still_fits(const struct framebuffers *fbs)
+{
+    const struct framebuffer *planes = &fbs->drawn_planes;
+    int width, height;
+    if (fgl_framebuffer_status(fbs->draw) != GL_FRAMEBUFFER_COMPLETE)
+        return false;
+    find_size(fbs->draw, &width, &height);
+    return width == planes->width && height == planes->height;
+}
+
 void fgl_framebuffer_store(struct context *ctx)
 {
     struct framebuffers *fbs = ctx->framebuffers;
     fgl_flush_vertices(ctx, 0);
     if (!fbs || fbs->stale || ctx->framebuffer != &fbs->drawn_planes || !fbs->drawn_planes.drawn)
         return;
+    fbs->drawn_planes.drawn = false;
+    if (!still_fits(fbs))
+        return;
     const struct surfaces s = surfaces_of(fbs->draw, ctx->s.color_buffer.draw_buffer);
     fgl_surface_store(&fbs->drawn_planes, &s.color, &s.depth, &s.stencil);
-    fbs->drawn_planes.drawn = false;
 }
 
 void fgl_framebuffer_unload(struct context *ctx)

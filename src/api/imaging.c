@@ -7,6 +7,7 @@
 #include "api/list.h"
 #include "api/pixel_buffer.h"
 #include "framebuffer/pixel_pack.h"
+#include "state/share.h"
 #include "texture/format.h"
 
 #include <stdlib.h>
@@ -173,11 +174,8 @@ static bool find_images(struct context *ctx, const struct imaging_call *call, co
            (!separable || fgl_buffer_image(ctx, store, call->format, call->type, call->height, 1, &images[1]));
 }
 
-void fgl_imaging_command(const struct imaging_call *call, const void *image, const void *column)
+static void record_and_execute(struct context *ctx, const struct imaging_call *call, const void *image, const void *column)
 {
-    struct context *ctx = fgl_current;
-    if (!ctx || fgl_refused_inside(ctx))
-        return;
     const void *images[2] = {image, column};
     if (!find_images(ctx, call, images))
         return;
@@ -187,4 +185,11 @@ void fgl_imaging_command(const struct imaging_call *call, const void *image, con
         return;
     const struct imaging_pixels pixels = {&ctx->client.unpack, {images[0], images[1]}};
     execute(ctx, call, &pixels);
+}
+
+void fgl_imaging_command(const struct imaging_call *call, const void *image, const void *column)
+{
+    struct context *ctx = fgl_current;
+    if (ctx && !fgl_refused_inside(ctx))
+        FGL_SHARED(ctx, record_and_execute(ctx, call, image, column));
 }

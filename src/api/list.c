@@ -9,6 +9,7 @@
 #include "api/pixel_store.h"
 #include "api/texture_image.h"
 #include "base/idmap.h"
+#include "state/share.h"
 
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -196,6 +197,18 @@ void GLAPIENTRY glNewList(GLuint list, GLenum mode)
     ctx->vertices = ctx->list->vertices;
 }
 
+/* The list under its name, in place of the one that was there. */
+static void keep(struct context *ctx, GLuint name, struct list *list)
+{
+    struct list *old = fgl_idmap_get(&ctx->lists->map, name);
+    if (!fgl_idmap_put(&ctx->lists->map, name, list)) {
+        fgl_error(ctx, GL_OUT_OF_MEMORY);
+        list_destroy(list);
+    } else if (old) {
+        list_destroy(old);
+    }
+}
+
 void GLAPIENTRY glEndList(void)
 {
     struct context *ctx = fgl_current;
@@ -215,13 +228,7 @@ void GLAPIENTRY glEndList(void)
     fgl_list_record(ctx, OP_END_OF_LIST, 0);
     ctx->compiling = 0;
     ctx->vertices = ctx->immediate;
-    struct list *old = fgl_idmap_get(&ctx->lists->map, c->name);
-    if (!fgl_idmap_put(&ctx->lists->map, c->name, c->list)) {
-        fgl_error(ctx, GL_OUT_OF_MEMORY);
-        list_destroy(c->list);
-    } else if (old) {
-        list_destroy(old);
-    }
+    FGL_SHARED(ctx, keep(ctx, c->name, c->list));
     c->list = NULL;
 }
 
@@ -339,7 +346,7 @@ void GLAPIENTRY glCallList(GLuint list)
             return;
     }
     const int32_t offset = (int32_t)list;
-    execute_lists(ctx, 1, &offset, 0);
+    FGL_SHARED(ctx, execute_lists(ctx, 1, &offset, 0));
 }
 
 /* Bytes of one list number of the given type (GL 1.5, 5.4), 0 if the type is not accepted. */
@@ -387,7 +394,7 @@ void GLAPIENTRY glCallLists(GLsizei n, GLenum type, const GLvoid *lists)
     for (GLsizei i = 0; i < n; i++)
         l->offset[i] = read_name(type, lists, i);
     if (ctx->compiling != GL_COMPILE)
-        execute_lists(ctx, n, l->offset, ctx->s.list.list_base);
+        FGL_SHARED(ctx, execute_lists(ctx, n, l->offset, ctx->s.list.list_base));
     if (!record)
         free(l);
 }

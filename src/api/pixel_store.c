@@ -7,6 +7,7 @@
 #include "api/errors.h"
 #include "api/list.h"
 #include "api/pixel_buffer.h"
+#include "state/share.h"
 
 #include <string.h>
 
@@ -99,19 +100,12 @@ static void unpack_stipple(const struct pixel_store *store, const GLubyte *mask,
     }
 }
 
-void GLAPIENTRY glPolygonStipple(const GLubyte *mask)
+static void stipple(struct context *ctx, const void *mask)
 {
-    struct context *ctx = fgl_current;
-    if (!ctx)
-        return;
-    if (fgl_refused_inside(ctx))
-        return;
-
     uint32_t row[32];
-    const void *bits = mask;
-    if (!fgl_buffer_image(ctx, &ctx->client.unpack, GL_COLOR_INDEX, GL_BITMAP, 32, 32, &bits))
+    if (!fgl_buffer_image(ctx, &ctx->client.unpack, GL_COLOR_INDEX, GL_BITMAP, 32, 32, &mask))
         return;
-    unpack_stipple(&ctx->client.unpack, bits, row);
+    unpack_stipple(&ctx->client.unpack, mask, row);
     if (ctx->compiling) {
         void *node = fgl_list_record(ctx, OP_POLYGON_STIPPLE, sizeof row);
         if (node)
@@ -120,6 +114,13 @@ void GLAPIENTRY glPolygonStipple(const GLubyte *mask)
             return;
     }
     fgl_polygon_stipple_set(ctx, row);
+}
+
+void GLAPIENTRY glPolygonStipple(const GLubyte *mask)
+{
+    struct context *ctx = fgl_current;
+    if (ctx && !fgl_refused_inside(ctx))
+        FGL_SHARED(ctx, stipple(ctx, mask));
 }
 
 /* OSMesa rule: the unused bits of a byte that is written to become 0. */

@@ -6,6 +6,7 @@
 #include "api/pixel_buffer.h"
 #include "api/pixel_image.h"
 #include "api/set.h"
+#include "state/share.h"
 
 #include <string.h>
 
@@ -124,19 +125,23 @@ static void map_command(struct context *ctx, GLenum map, GLsizei mapsize, const 
 
 /* Integers to indexes are themselves, to colours fractions of the greatest. */
 #define PIXEL_MAP(suffix, T, max)                                                                            \
-    void GLAPIENTRY glPixelMap##suffix(GLenum map, GLsizei mapsize, const T *values)                         \
+    static void map_##suffix(struct context *ctx, GLenum map, GLsizei mapsize, const void *values)           \
     {                                                                                                        \
         GLfloat v[FGL_MAX_PIXEL_MAP];                                                                        \
-        struct context *ctx = fgl_current;                                                                   \
         const int n = mapsize >= 1 && mapsize <= FGL_MAX_PIXEL_MAP ? mapsize : 0;                            \
         const bool indexes = holds_indexes(map - GL_PIXEL_MAP_I_TO_I);                                       \
-        const void *given = values;                                                                          \
-        if (!ctx || fgl_refused_inside(ctx) ||                                                               \
-            (n && !fgl_buffer_elements(ctx, &ctx->client.unpack, n, sizeof(T), &given)))                     \
+        if (n && !fgl_buffer_elements(ctx, &ctx->client.unpack, n, sizeof(T), &values))                      \
             return;                                                                                          \
+        const T *from = values;                                                                              \
         for (int i = 0; i < n; i++)                                                                          \
-            v[i] = indexes ? (GLfloat)((const T *)given)[i] : (GLfloat)((double)((const T *)given)[i] / (max)); \
+            v[i] = indexes ? (GLfloat)from[i] : (GLfloat)((double)from[i] / (max));                          \
         map_command(ctx, map, mapsize, v, n);                                                                \
+    }                                                                                                        \
+    void GLAPIENTRY glPixelMap##suffix(GLenum map, GLsizei mapsize, const T *values)                         \
+    {                                                                                                        \
+        struct context *ctx = fgl_current;                                                                   \
+        if (ctx && !fgl_refused_inside(ctx))                                                                 \
+            FGL_SHARED(ctx, map_##suffix(ctx, map, mapsize, values));                                        \
     }
 PIXEL_MAP(fv, GLfloat, 1.0)
 PIXEL_MAP(uiv, GLuint, 4294967295.0)

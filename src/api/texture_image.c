@@ -8,6 +8,7 @@
 #include "api/pixel_buffer.h"
 #include "framebuffer/imaging.h"
 #include "framebuffer/pixel_unpack.h"
+#include "state/share.h"
 #include "texture/mipmap.h"
 
 #include <stdlib.h>
@@ -227,20 +228,22 @@ void fgl_list_replay_texture_image(struct context *ctx, const void *payload)
 }
 
 /* GL 1.5, 5.4: proxies are never compiled. */
-static void command(const struct texture_call *call, const void *pixels)
+static void record_and_execute(struct context *ctx, const struct texture_call *call, const void *pixels)
 {
-    struct context *ctx = fgl_current;
     struct image_target t;
-    if (!ctx)
-        return;
-    if (fgl_refused_inside(ctx))
-        return;
     const bool proxy = fgl_image_target(call->target, 0, &t) && t.proxy;
     if (ctx->compiling && !proxy && !record(ctx, call, pixels))
         return;
     if (ctx->compiling == GL_COMPILE && !proxy)
         return;
     execute(ctx, call, &ctx->client.unpack, pixels);
+}
+
+static void command(const struct texture_call *call, const void *pixels)
+{
+    struct context *ctx = fgl_current;
+    if (ctx && !fgl_refused_inside(ctx))
+        FGL_SHARED(ctx, record_and_execute(ctx, call, pixels));
 }
 
 /* ---- commands ---- */

@@ -4,6 +4,7 @@
 #include "api/list.h"
 #include "api/set.h"
 #include "api/texture_target.h"
+#include "state/share.h"
 
 static struct texture_object *object_of(const struct context *ctx, GLuint name)
 {
@@ -110,7 +111,7 @@ void GLAPIENTRY glPrioritizeTextures(GLsizei n, const GLuint *textures, const GL
             *node = (struct prioritize_node){textures[i], priorities[i]};
     }
     if (ctx->compiling != GL_COMPILE)
-        prioritize(ctx, n, textures, priorities);
+        FGL_SHARED(ctx, prioritize(ctx, n, textures, priorities));
 }
 
 GLboolean fgl_exec_AreTexturesResident(struct context *ctx, GLsizei n, const GLuint *textures, GLboolean *residences)

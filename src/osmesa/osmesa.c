@@ -13,6 +13,7 @@
 #include "framebuffer/imaging.h"
 #include "pipeline/explain.h"
 #include "pipeline/pipeline.h"
+#include "state/share.h"
 #include "texture/texture.h"
 
 #include <stdlib.h>
@@ -61,16 +62,18 @@ static bool init_context(struct osmesa_context *c, OSMesaContext share)
     if (ctx->color_index && ctx->pipeline)
         fgl_explain_refuse(ctx->pipeline, "pixels of color index contexts are not explained");
     if (share) {
+        fgl_share_join(share->gl.share);
         fgl_list_store_retain(share->gl.lists);
         fgl_buffer_store_retain(share->gl.buffers);
         fgl_texture_store_retain(share->gl.textures);
         fgl_renderbuffer_store_retain(share->gl.renderbuffers);
     }
+    ctx->share = share ? share->gl.share : fgl_share_create();
     ctx->buffers = share ? share->gl.buffers : fgl_buffer_store_create();
     ctx->lists = share ? share->gl.lists : fgl_list_store_create();
     ctx->renderbuffers = share ? share->gl.renderbuffers : fgl_renderbuffer_store_create();
     ctx->textures = share ? share->gl.textures : fgl_texture_store_create();
-    return ctx->immediate && ctx->pipeline && ctx->lists && ctx->buffers && ctx->textures && ctx->renderbuffers &&
+    return ctx->immediate && ctx->pipeline && ctx->share && ctx->lists && ctx->buffers && ctx->textures && ctx->renderbuffers &&
            fgl_texture_context_init(ctx);
 }
 
@@ -151,6 +154,7 @@ void GLAPIENTRY OSMesaDestroyContext(OSMesaContext c)
     fgl_immediate_destroy(c->gl.immediate);
     fgl_pipeline_destroy(c->gl.pipeline);
     fgl_framebuffer_free(&c->fb);
+    fgl_share_part(c->gl.share);
     free(c->gl.attrib_stack);
     free(c->depth_snapshot);
     free(c);
@@ -192,7 +196,7 @@ GLboolean GLAPIENTRY OSMesaMakeCurrent(OSMesaContext c, void *buffer, GLenum typ
 {
     if (!c && !buffer) {
         if (fgl_current)
-            fgl_framebuffer_store(fgl_current);
+            FGL_SHARED(fgl_current, fgl_framebuffer_store(fgl_current));
         fgl_current = NULL;
         return GL_TRUE;
     }
@@ -200,7 +204,7 @@ GLboolean GLAPIENTRY OSMesaMakeCurrent(OSMesaContext c, void *buffer, GLenum typ
     if (!c || !buffer || width < 1 || height < 1 || width > MAX_SIZE || height > MAX_SIZE || !choose_kind(c->format, type, &kind))
         return GL_FALSE;
     if (fgl_current)
-        fgl_framebuffer_store(fgl_current);
+        FGL_SHARED(fgl_current, fgl_framebuffer_store(fgl_current));
     if (!fgl_framebuffer_resize(&c->fb, width, height, kind))
         return GL_FALSE;
     free(c->depth_snapshot);

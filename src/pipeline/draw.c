@@ -2,6 +2,7 @@
 #include "pipeline/explain.h"
 #include "pipeline/pipeline.h"
 #include "pipeline/plan_report.h"
+#include "state/share.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -158,8 +159,8 @@ static bool may_wait(const struct pipeline *p, const struct draw_prim *prims, in
     return filled;
 }
 
-void fgl_draw(struct context *ctx, const struct vertex_source *source, const struct draw_prim *prims, int n,
-              const uint32_t *elements, uint32_t min_index, uint32_t max_index)
+static void draw(struct context *ctx, const struct vertex_source *source, const struct draw_prim *prims, int n,
+                 const uint32_t *elements, uint32_t min_index, uint32_t max_index)
 {
     struct pipeline *p = ctx->pipeline;
     if (!ctx->framebuffer || !(source->varying & (1u << ATTR_POSITION)))
@@ -188,4 +189,10 @@ void fgl_draw(struct context *ctx, const struct vertex_source *source, const str
     else
         fgl_assemble_all(p, prims, n, elements, min_index, source->compiled);
     p->unshaded = NULL;
+}
+
+void fgl_draw(struct context *ctx, const struct vertex_source *source, const struct draw_prim *prims, int n,
+              const uint32_t *elements, uint32_t min_index, uint32_t max_index)
+{
+    FGL_SHARED(ctx, draw(ctx, source, prims, n, elements, min_index, max_index));
 }

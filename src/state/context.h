@@ -353,6 +353,7 @@ struct context {
     struct immediate *immediate;     /* api/immediate.h: vertices between Begin and End */
     struct immediate *vertices;      /* where vertex commands go now: immediate, or the list being compiled */
     struct list_compiler *list;      /* api/list.h: the list being compiled */
+    struct share_group *share;       /* state/share.h: the contexts that share what follows */
     struct list_store *lists;        /* api/list.h: lists, maybe shared with other contexts */
     struct texture_store *textures;  /* texture/texture.h: texture objects, maybe shared alike */
     struct texture_object *proxy_texture[TEXTURE_TARGETS]; /* GL_PROXY_TEXTURE_1D...: sizes without texels */

@@ -5,6 +5,7 @@
 #include <pthread.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -165,12 +166,143 @@ static void test_moving(void **state)
     OSMesaDestroyContext(context);
 }
 
+/* ---- objects that one thread changes while others draw with them ---- */
+
+enum { CHANGES = 900, LARGE = 128 };
+
+struct shared {
+    GLuint texture, buffer, renderbuffer, list;
+    GLint size; /* of the texture, at first */
+};
+static struct shared shared;
+static OSMesaContext owner;
+
+/* All of one colour: red of this size, green of another. */
+static void define_texture(int size)
+{
+    static _Thread_local GLubyte texels[LARGE * LARGE][4];
+    for (int i = 0; i < size * size; i++)
+        memcpy(texels[i], size == shared.size ? "\xff\x00\x00\xff" : "\x00\xff\x00\xff", 4);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, size, size, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+}
+
+static void make_shared(void)
+{
+    shared.size = 4;
+    glGenTextures(1, &shared.texture);
+    glBindTexture(GL_TEXTURE_2D, shared.texture);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    define_texture(4);
+    glGenBuffers(1, &shared.buffer);
+    glBindBuffer(GL_ARRAY_BUFFER, shared.buffer);
+    glBufferData(GL_ARRAY_BUFFER, 64, NULL, GL_STATIC_DRAW);
+    glGenRenderbuffers(1, &shared.renderbuffer);
+    glBindRenderbuffer(GL_RENDERBUFFER, shared.renderbuffer);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, 16, 16);
+    shared.list = glGenLists(1);
+}
+
+static void *change(void *argument)
+{
+    struct painter *painter = argument;
+    static const float square[8] = {-1, -1, 1, -1, 1, 1, -1, 1};
+    OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 0, 0, owner);
+    painter->failed = !OSMesaMakeCurrent(context, painter->picture, GL_UNSIGNED_BYTE, 1, 1);
+    glBindTexture(GL_TEXTURE_2D, shared.texture);
+    glBindBuffer(GL_ARRAY_BUFFER, shared.buffer);
+    glBindRenderbuffer(GL_RENDERBUFFER, shared.renderbuffer);
+    for (int i = 0; i < CHANGES; i++) {
+        GLuint name;
+        define_texture(i % 3 ? 4 : LARGE);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, i & 1 ? GL_LINEAR : GL_NEAREST);
+        glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(sizeof square) * (1 + i % 5), NULL, GL_STATIC_DRAW);
+        glBufferSubData(GL_ARRAY_BUFFER, 0, sizeof square, square);
+        glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, 4 + i % 40, 4 + i % 40);
+        glGenTextures(1, &name);
+        glBindTexture(GL_TEXTURE_3D, name);
+        glDeleteTextures(1, &name);
+        glNewList(shared.list, GL_COMPILE);
+        glColor3f(1, 1, 1);
+        glEndList();
+    }
+    painter->error = glGetError();
+    OSMesaDestroyContext(context);
+    return NULL;
+}
+
+static void draw_shared(void)
+{
+    static const GLfloat corner[8] = {0, 0, 1, 0, 1, 1, 0, 1};
+    glVertexPointer(2, GL_FLOAT, 0, NULL);
+    glTexCoordPointer(2, GL_FLOAT, 0, NULL);
+    glCallList(shared.list);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    glTexCoordPointer(2, GL_FLOAT, 0, corner);
+    glBindBuffer(GL_ARRAY_BUFFER, shared.buffer);
+    glDrawArrays(GL_QUADS, 0, 4);
+}
+
+/* A frame is of one colour: that of the texture before a change or after it. */
+static bool is_uniform(const unsigned char *picture)
+{
+    for (int i = 4; i < BYTES; i++)
+        if (picture[i] != picture[i - 4])
+            return false;
+    return true;
+}
+
+static void *draw_with_shared(void *argument)
+{
+    struct painter *painter = argument;
+    GLuint framebuffer;
+    OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 0, 0, owner);
+    painter->failed = !OSMesaMakeCurrent(context, painter->picture, GL_UNSIGNED_BYTE, SIZE, SIZE);
+    glBindTexture(GL_TEXTURE_2D, shared.texture);
+    glBindBuffer(GL_ARRAY_BUFFER, shared.buffer);
+    glEnable(GL_TEXTURE_2D);
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+    glGenFramebuffers(1, &framebuffer);
+    for (int i = 0; i < CHANGES / 3; i++) {
+        draw_shared();
+        glFinish();
+        painter->failed |= !is_uniform(painter->picture);
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, shared.renderbuffer);
+        draw_shared();
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    }
+    painter->error = glGetError();
+    OSMesaDestroyContext(context);
+    return NULL;
+}
+
+static void test_changing_shared_objects(void **state)
+{
+    (void)state;
+    static struct painter painter[THREADS];
+    unsigned char picture[4];
+    pthread_t thread[THREADS];
+    owner = OSMesaCreateContextExt(OSMESA_RGBA, 24, 0, 0, NULL);
+    assert_true(OSMesaMakeCurrent(owner, picture, GL_UNSIGNED_BYTE, 1, 1));
+    make_shared();
+    OSMesaMakeCurrent(NULL, NULL, 0, 0, 0);
+    for (int i = 0; i < THREADS; i++)
+        assert_int_equal(pthread_create(&thread[i], NULL, i ? draw_with_shared : change, &painter[i]), 0);
+    for (int i = 0; i < THREADS; i++)
+        assert_int_equal(pthread_join(thread[i], NULL), 0);
+    for (int i = 0; i < THREADS; i++)
+        check(&painter[i]);
+    OSMesaDestroyContext(owner);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
             cmocka_unit_test(test_own),
             cmocka_unit_test(test_shared_lists),
             cmocka_unit_test(test_moving),
+            cmocka_unit_test(test_changing_shared_objects),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
