@@ -72,6 +72,7 @@ void fgl_exec_ReadPixels(struct context *ctx, GLint x, GLint y, GLsizei width, G
             .image = fgl_pixel_image(&ctx->client.pack, format, type, width, to),
             .mode = &ctx->s.pixel_mode,
             .maps = ctx->pixel_map,
+            .clamps = true, /* OSMesa rule */
     };
     const int64_t right = (int64_t)x + width, top = (int64_t)y + height;
     const int x0 = fgl_max(x, 0), x1 = right < fb->width ? (int)right : fb->width;

@@ -46,11 +46,16 @@ void fgl_fetched_to_float(struct fetched_row *row, int n)
     row->bits = 0;
 }
 
-void fgl_add_luminance(struct color_row *color, int n)
+void fgl_clamp_colors(struct color_row *color, int n)
 {
     for (int c = 0; c < 4; c++)
         for (int i = 0; i < n; i++)
             color->channel[c][i] = fgl_clamp01(color->channel[c][i]);
+}
+
+void fgl_add_luminance(struct color_row *color, int n)
+{
+    fgl_clamp_colors(color, n);
     for (int i = 0; i < n; i++)
         color->channel[0][i] =
                 fgl_clamp01(color->channel[0][i] + color->channel[1][i] + color->channel[2][i]);

@@ -26,6 +26,7 @@ uint32_t fgl_float_to_norm(float v, uint32_t max);
 /* Fetched integers to floats. OSMesa rule: v * (1 / max). */
 void fgl_fetched_to_float(struct fetched_row *row, int n);
 
+void fgl_clamp_colors(struct color_row *color, int n); /* to [0,1] */
 /* GL 1.5, 4.3.2 "Conversion to L": R + G + B. OSMesa rule: the channels are clamped before, the sum after. The sum takes the place of red. */
 void fgl_add_luminance(struct color_row *color, int n);
 

@@ -26,14 +26,13 @@ static void fetch_unorm16(const struct framebuffer *fb, size_t at, int n, struct
             row->integer[c][i] = c == 3 && !fb->has_alpha ? 65535 : pixel[4 * i + c];
 }
 
-/* OSMesa rule: reading clamps, from float buffers too. */
 static void fetch_float(const struct framebuffer *fb, size_t at, int n, struct fetched_row *row)
 {
     const float *pixel = (const float *)fb->color + 4 * at;
     row->bits = 0;
     for (int c = 0; c < 4; c++)
         for (int i = 0; i < n; i++)
-            row->color.channel[c][i] = c == 3 && !fb->has_alpha ? 1.0f : fgl_clamp01(pixel[4 * i + c]);
+            row->color.channel[c][i] = c == 3 && !fb->has_alpha ? 1.0f : pixel[4 * i + c];
 }
 
 static void fetch_565(const struct framebuffer *fb, size_t at, int n, struct fetched_row *row, bool bytes)
@@ -117,6 +116,8 @@ static void pack_color(const struct pixel_pack *pack, const struct framebuffer *
         fetch_color(fb, x, y, n, type, as_float || type->kind == COMPONENT_FLOAT, &row);
     if (transfer)
         fgl_transfer_color(pack->mode, pack->maps, &row.color, n);
+    if (pack->clamps && fb->color_kind == COLOR_FLOAT)
+        fgl_clamp_colors(&row.color, n);
     if (luminance)
         fgl_add_luminance(&row.color, n);
     fgl_convert_colors(&row, format, type, n, out);

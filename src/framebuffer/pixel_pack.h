@@ -11,6 +11,7 @@ struct pixel_pack {
     struct pixel_image image;
     const struct pixel_mode_state *mode;
     const struct pixel_map *maps;
+    bool clamps; /* colours of a float buffer, after their transfer */
 };
 
 /* Packs n pixels from column x of framebuffer row y (y down) into the image's row `row` from pixel `column`
