@@ -42,8 +42,8 @@ GLAPI GLenum GLAPIENTRY fixedglAccuracy(GLenum mode);
  * fixedglExplainPixel arms the pixel x, y, in window coordinates as glReadPixels has them, in the current context: from now on each
  * draw notes what it does there; what was armed before is forgotten. Drawing becomes slower, its bytes stay the same. A negative
  * x ends it. The pixel may lie outside of the framebuffer as long as nobody asks.
- * GL_INVALID_VALUE: y is negative and x is not. GL_INVALID_OPERATION: between glBegin and glEnd; in color index
- * mode. GL_OUT_OF_MEMORY. */
+ * GL_INVALID_VALUE: y is negative and x is not. GL_INVALID_OPERATION: between glBegin and glEnd.
+ * GL_OUT_OF_MEMORY. */
 GLAPI void GLAPIENTRY fixedglExplainPixel(GLint x, GLint y);
 
 /* The forms of an explanation. */

@@ -12,7 +12,6 @@ void GLAPIENTRY fixedglExplainPixel(GLint x, GLint y)
         return;
     RETURN_ERROR_IF(ctx, ctx->begin_mode != OUTSIDE_BEGIN_END, GL_INVALID_OPERATION);
     RETURN_ERROR_IF(ctx, y < 0 && x >= 0, GL_INVALID_VALUE);
-    RETURN_ERROR_IF(ctx, ctx->color_index, GL_INVALID_OPERATION);
 
     fgl_flush_vertices(ctx, 0); /* drawn before */
     if (x < 0)

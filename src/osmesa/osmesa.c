@@ -59,8 +59,6 @@ static bool init_context(struct osmesa_context *c, OSMesaContext share)
     ctx->immediate = fgl_immediate_create();
     ctx->vertices = ctx->immediate;
     ctx->pipeline = fgl_pipeline_create();
-    if (ctx->color_index && ctx->pipeline)
-        fgl_explain_refuse(ctx->pipeline, "pixels of color index contexts are not explained");
     if (share) {
         fgl_share_join(share->gl.share);
         fgl_list_store_retain(share->gl.lists);

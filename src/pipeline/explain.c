@@ -1,6 +1,8 @@
 /* The record of one pixel: arming it, what happens to it, and writing it down. */
 #include "pipeline/explain.h"
 
+#include "base/color_index.h"
+
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -34,13 +36,6 @@ void fgl_explain_stop(struct pipeline *p)
     fgl_text_free(&p->explain->text);
     free(p->explain);
     p->explain = NULL;
-}
-
-void fgl_explain_refuse(struct pipeline *p, const char *why)
-{
-    if (p->explain)
-        fprintf(stderr, "FixedGL: %s\n", why);
-    fgl_explain_stop(p);
 }
 
 void fgl_explain_from_environment(struct pipeline *p)
@@ -131,25 +126,38 @@ bool fgl_explain_look(struct context *ctx)
     return true;
 }
 
+/* Which channels, or bits of an index, a clear writes: some, all? */
+static void find_written(const struct context *ctx, bool *some, bool *all)
+{
+    const struct color_buffer_state *color = &ctx->s.color_buffer;
+    const bool *write = color->color_writemask;
+    const unsigned bits = color->index_writemask & FGL_INDEX_MAX;
+    *some = ctx->color_index ? bits != 0 : write[0] || write[1] || write[2] || write[3];
+    *all = ctx->color_index ? bits == FGL_INDEX_MAX : write[0] && write[1] && write[2] && write[3];
+    *some = *some && color->draw_buffer != GL_NONE;
+}
+
 void fgl_explain_clear(struct context *ctx, GLbitfield mask, struct rect r)
 {
     struct explain *e = ctx->pipeline->explain;
     const struct framebuffer *fb = ctx->framebuffer;
     const int row = fb->height - 1 - e->y;
     const struct color_buffer_state *color = &ctx->s.color_buffer;
-    const bool *write = color->color_writemask;
+    bool some, all;
     take_size(e, fb);
     if (e->x < r.x0 || e->x >= r.x1 || row < r.y0 || row >= r.y1)
         return;
     const struct pixel_value now = fgl_explain_pixel(fb, row, e->x);
-    if (mask & GL_COLOR_BUFFER_BIT && color->draw_buffer != GL_NONE &&
-        (write[0] || write[1] || write[2] || write[3])) {
-        if (write[0] && write[1] && write[2] && write[3])
+    find_written(ctx, &some, &all);
+    if (mask & GL_COLOR_BUFFER_BIT && some) {
+        if (all)
             e->events = e->draws = 0; /* what was before no longer shows */
         struct explain_event *event = fgl_explain_add(e, OUTCOME_CLEARED);
         event->before = e->value;
         event->after = now;
         memcpy(event->fragment.smoothed, color->color_clear_value, sizeof event->fragment.smoothed);
+        if (ctx->color_index)
+            event->fragment.smoothed[0] = color->index_clear_value;
         e->has_detail = false;
     }
     e->value = now;

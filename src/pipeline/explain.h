@@ -33,7 +33,7 @@ struct pixel_value {
 };
 
 /* The colour of a fragment after each stage; stages that are off repeat the one before. Neither rounded nor
- * clamped. */
+ * clamped. In colour index mode the first component is the index; after fog and coverage it is rounded. */
 struct fragment_stages {
     bool covered; /* false: a stipple or the disc of a point left the pixel out */
     int textures; /* units that draw a texture */
@@ -88,7 +88,8 @@ struct explain_detail {
 /* A framebuffer of one row, which any window row falls on. */
 struct scratch {
     struct framebuffer fb;
-    int room; /* pixels */
+    int room;     /* pixels */
+    bool indexed; /* colour index mode */
 };
 
 struct explain {
@@ -111,8 +112,6 @@ struct explain {
 /* Arms window pixel x, y, or disarms with x < 0. False when memory is short. */
 bool fgl_explain_start(struct pipeline *p, int x, int y);
 void fgl_explain_stop(struct pipeline *p);
-/* The same, with a word to whoever asked by FIXEDGL_EXPLAIN. */
-void fgl_explain_refuse(struct pipeline *p, const char *why);
 /* FIXEDGL_EXPLAIN=x,y[,vertex] arms the first context of the process. */
 void fgl_explain_from_environment(struct pipeline *p);
 
@@ -132,6 +131,11 @@ struct explain_event *fgl_explain_add(struct explain *e, enum explain_outcome ou
 /* explain_probe.c: draws, with the vertices in the cache, and notes what happens at the pixel. */
 void fgl_explain_draw(struct context *ctx, const struct vertex_source *source, const struct draw_prim *prims,
                       int n, const uint32_t *elements, uint32_t base);
+
+/* explain_elements.c: the cache with its n vertices in the order of the elements, so that a vertex's number there is its number
+ * in the draw. False when memory is short; *to is to be freed in either case. */
+bool fgl_explain_gather(const struct pipeline *p, struct vertex_cache *to, const uint32_t *elements, int n, uint32_t base);
+void fgl_explain_free_gathered(struct vertex_cache *c);
 
 /* explain_fragment.c */
 struct pixel_value fgl_explain_pixel(const struct framebuffer *fb, int row, int x);
@@ -161,6 +165,9 @@ void fgl_explain_warn(struct context *ctx, const struct vertex_source *source, s
 /* explain_text.c, explain_json.c: into e->text. vertex: 0..2, or -1 for all. */
 void fgl_explain_text(struct explain *e, const struct framebuffer *fb, int vertex);
 void fgl_explain_json(struct explain *e, const struct framebuffer *fb, int vertex);
+/* explain_text_fragment.c, for explain_text.c */
+void fgl_explain_text_pixel(struct text *t, const struct pixel_value *v, const struct framebuffer *fb);
+void fgl_explain_text_fragment(struct text *t, const struct explain_detail *d, const struct framebuffer *fb);
 const char *fgl_explain_outcome_name(enum explain_outcome outcome);
 const char *fgl_explain_mode_name(GLenum mode);
 

@@ -89,6 +89,7 @@ bool fgl_explain_scratch(struct scratch *s, const struct framebuffer *fb)
         memset(stencil, 0, n);
         s->room = fb->stride;
     }
+    s->indexed = fb->color_kind == COLOR_INDEX8;
     s->fb.width = fb->width;
     s->fb.height = fb->height;
     s->fb.stride = 0; /* every row is this one */
@@ -119,7 +120,23 @@ static struct fragment_plan bare_plan(const struct fragment_plan *plan)
     f.color_write = true;
     for (int c = 0; c < 4; c++)
         f.channel_write[c] = true;
+    f.color_buffer.index_writemask = ~0u;
     return f;
+}
+
+/* The index of a fragment as it would be written. Whether it is left out is seen by what was there before. */
+static bool index_of(struct scratch *s, struct fragment_plan *f, const struct planes *planes, int row, int x,
+                     float color[4])
+{
+    uint8_t *pixel = (uint8_t *)s->fb.color + x, after[2];
+    for (int before = 0; before < 2; before++) {
+        *pixel = (uint8_t)before;
+        run(s, f, COLOR_INDEX8, planes, row, x);
+        after[before] = *pixel;
+    }
+    color[0] = (float)after[0];
+    color[1] = color[2] = color[3] = 0;
+    return after[0] == after[1];
 }
 
 /* The colour of the fragment; false when it is left out. */
@@ -127,6 +144,8 @@ static bool color_of(struct scratch *s, struct fragment_plan *f, const struct pl
                      float color[4])
 {
     float *pixel = (float *)s->fb.color + 4 * x;
+    if (f->general == fgl_fragment_kernels(f->arith)->index)
+        return index_of(s, f, planes, row, x, color);
     pixel[0] = pixel[1] = pixel[2] = pixel[3] = -1e30f; /* no stage makes such a colour */
     run(s, f, COLOR_FLOAT, planes, row, x);
     if (pixel[0] == -1e30f && pixel[3] == -1e30f)
@@ -140,6 +159,7 @@ void fgl_explain_color(struct scratch *s, const struct fragment_plan *plan, cons
 {
     struct fragment_plan f = bare_plan(plan);
     f.color_source = COLOR_SMOOTH;
+    f.general = fgl_fragment_kernels(f.arith)->general; /* whatever the mode */
     color_of(s, &f, planes, row, x, color);
 }
 
@@ -182,6 +202,7 @@ static float fog_factor(struct scratch *s, const struct fragment_plan *plan, con
     struct fragment_plan f = *plan;
     float color[4] = {1, 1, 1, 1};
     f.color_source = COLOR_CONSTANT;
+    f.general = fgl_fragment_kernels(f.arith)->general;
     f.has_secondary = false;
     f.textures = 0;
     for (int c = 0; c < 4; c++) {
@@ -232,6 +253,40 @@ static enum explain_outcome outcome_of(struct scratch *s, const struct fragment_
     return plan->color_write ? OUTCOME_DRAWN : OUTCOME_MASKED;
 }
 
+/* Color index mode: the index before it is rounded, and which index is written. */
+static void index_stages(struct scratch *s, struct fragment_plan *f, const struct fragment_plan *plan,
+                         const struct planes *unsmoothed, const struct planes *planes, int row, int x, struct fragment_stages *to)
+{
+    struct fragment_plan exact = *f;
+    exact.general = fgl_fragment_kernels(f->arith)->general;
+    color_of(s, &exact, unsmoothed, row, x, to->interpolated);
+    to->interpolated[1] = to->interpolated[2] = to->interpolated[3] = 0;
+    memcpy(to->summed, to->interpolated, sizeof to->summed);
+    memcpy(to->fogged, to->interpolated, sizeof to->fogged);
+    f->has_fog = plan->has_fog;
+    to->covered = color_of(s, f, unsmoothed, row, x, f->has_fog ? to->fogged : to->smoothed);
+    to->fog_factor = f->has_fog ? fog_factor(s, f, unsmoothed, row, x) : 1.0f;
+    to->covered = color_of(s, f, planes, row, x, to->smoothed) && to->covered;
+}
+
+static void color_stages(struct scratch *s, struct fragment_plan *f, const struct fragment_plan *plan,
+                         const struct planes *unsmoothed, const struct planes *planes, int row, int x, struct fragment_stages *to)
+{
+    to->covered = color_of(s, f, unsmoothed, row, x, to->interpolated);
+    to->textures = plan->textures;
+    for (f->textures = 0; f->textures < plan->textures;) {
+        struct explained_texture *texture = &to->texture[f->textures];
+        fgl_fragment_kernels(plan->arith)->trace_texture(plan, unsmoothed, f->textures++, row, x, &texture->trace);
+        color_of(s, f, unsmoothed, row, x, texture->result);
+    }
+    f->has_secondary = plan->has_secondary;
+    color_of(s, f, unsmoothed, row, x, to->summed);
+    f->has_fog = plan->has_fog;
+    color_of(s, f, unsmoothed, row, x, to->fogged);
+    to->fog_factor = plan->has_fog ? fog_factor(s, f, unsmoothed, row, x) : 1.0f;
+    to->covered = color_of(s, f, planes, row, x, to->smoothed) && to->covered;
+}
+
 void fgl_explain_stages(struct scratch *s, const struct fragment_plan *plan, const struct planes *planes,
                         int row, int x, struct fragment_stages *to)
 {
@@ -239,19 +294,7 @@ void fgl_explain_stages(struct scratch *s, const struct fragment_plan *plan, con
     struct planes unsmoothed = *planes;
     memset(to, 0, sizeof *to);
     unsmoothed.smoothing = SMOOTH_NONE;
-    to->covered = color_of(s, &f, &unsmoothed, row, x, to->interpolated);
-    to->textures = plan->textures;
-    for (f.textures = 0; f.textures < plan->textures;) {
-        struct explained_texture *texture = &to->texture[f.textures];
-        fgl_fragment_kernels(plan->arith)->trace_texture(plan, &unsmoothed, f.textures++, row, x, &texture->trace);
-        color_of(s, &f, &unsmoothed, row, x, texture->result);
-    }
-    f.has_secondary = plan->has_secondary;
-    color_of(s, &f, &unsmoothed, row, x, to->summed);
-    f.has_fog = plan->has_fog;
-    color_of(s, &f, &unsmoothed, row, x, to->fogged);
-    to->fog_factor = plan->has_fog ? fog_factor(s, &f, &unsmoothed, row, x) : 1.0f;
-    to->covered = color_of(s, &f, planes, row, x, to->smoothed) && to->covered;
+    (s->indexed ? index_stages : color_stages)(s, &f, plan, &unsmoothed, planes, row, x, to);
     if (to->covered)
         to->outcome = outcome_of(s, plan, planes, row, x, f, &to->depth);
 }

@@ -229,7 +229,7 @@ void fgl_explain_json(struct explain *e, const struct framebuffer *fb, int verte
     open(t, NULL, '{');
     numbers(t, "pixel", pixel, 2);
     numbers(t, "size", size, 2);
-    numbers(t, "color", e->value.color, fb->color_kind == COLOR_565 ? 3 : 4);
+    numbers(t, "color", e->value.color, fb->color_kind == COLOR_INDEX8 ? 1 : fb->color_kind == COLOR_565 ? 3 : 4);
     one(t, "depth", e->value.depth);
     truth(t, "agrees", e->agrees);
     open(t, "events", '[');

@@ -248,41 +248,6 @@ static void fill_detail(struct context *ctx, const struct probe *probe, const st
 
 /* ---- draws ---- */
 
-/* The cache with its vertices in the order of the elements, so that a vertex's number there is its number in
- * the draw. */
-static bool gather(const struct pipeline *p, struct vertex_cache *to, const uint32_t *elements, int n,
-                   uint32_t base)
-{
-    const struct vertex_cache *from = &p->cache;
-    const size_t record = p->plan.emit.record_bytes, clip = p->plan.emit.clip_bytes, count = (size_t)n;
-    *to = (struct vertex_cache){.capacity = n, .record_bytes = record, .clip_bytes = clip};
-    to->record = malloc(count * record);
-    to->clip = malloc(count * clip);
-    to->outcode = malloc(count * sizeof *to->outcode);
-    to->edge_flag = malloc(count * sizeof *to->edge_flag);
-    to->snapped = malloc(count * sizeof *to->snapped);
-    if (!to->record || !to->clip || !to->outcode || !to->edge_flag || !to->snapped)
-        return false;
-    for (int i = 0; i < n; i++) {
-        const size_t v = elements[i] - base;
-        memcpy(to->record + (size_t)i * record, from->record + v * record, record);
-        memcpy(to->clip + (size_t)i * clip, from->clip + v * clip, clip);
-        to->outcode[i] = from->outcode[v];
-        to->edge_flag[i] = from->edge_flag[v];
-        to->snapped[i] = from->snapped[v];
-    }
-    return true;
-}
-
-static void free_cache(struct vertex_cache *c)
-{
-    free(c->record);
-    free(c->clip);
-    free(c->outcode);
-    free(c->edge_flag);
-    free(c->snapped);
-}
-
 static const char *call_name(const struct vertex_source *source, bool indexed)
 {
     return indexed            ? "glDrawElements"
@@ -349,12 +314,12 @@ static void probe_elements(struct context *ctx, const struct vertex_source *sour
     uint32_t *order = malloc((size_t)count * sizeof *order);
     for (int i = 0; order && i < count; i++)
         order[i] = (uint32_t)i;
-    if (gather(p, &gathered, elements, count, base) && order) {
+    if (fgl_explain_gather(p, &gathered, elements, count, base) && order) {
         p->cache = gathered;
         probe_draw(ctx, source, prims, n, elements, 0, order, count);
         p->cache = cache;
     }
-    free_cache(&gathered);
+    fgl_explain_free_gathered(&gathered);
     free(order);
 }
 

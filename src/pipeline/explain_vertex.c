@@ -29,7 +29,7 @@ static void take_results(const struct explain_detail *d, const struct vertex_bat
     const int face = d->two_sided && !d->front ? 1 : 0;
     for (int c = 0; c < 4; c++) {
         v->clip[c] = b->clip.c[c][0];
-        v->color[c] = plan->lighting || plan->color_is_varying ? b->color[face].c[c][0]
+        v->color[c] = plan->lighting || plan->color_is_varying || plan->index_is_varying ? b->color[face].c[c][0]
                                                                : d->fragment_plan.constant_color[c];
         v->secondary[c] =
                 plan->lighting && plan->light.separate_specular && c < 3 ? b->secondary[face].c[c][0] : 0.0f;

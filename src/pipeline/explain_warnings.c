@@ -196,9 +196,10 @@ void fgl_explain_warn(struct context *ctx, const struct vertex_source *source, s
 {
     const struct server_state *s = &ctx->s;
     check_switches(ctx, d);
-    if (s->lighting.lighting) {
-        check_material(s, d);
+    if (s->lighting.lighting)
         check_normals(s, d);
+    if (s->lighting.lighting && !ctx->color_index) {
+        check_material(s, d);
         for (int i = 0; i < d->vertex_plan.light.n; i++)
             check_light(d, i);
         check_clamping(d);
