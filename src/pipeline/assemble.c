@@ -12,6 +12,7 @@ struct assembly {
     int first;
     uint32_t base;
     bool filled;
+    uint32_t (*next)[3]; /* filled: where in the list the next triangle goes */
 };
 
 static FGL_ALWAYS_INLINE uint32_t number(const struct assembly *a, int i)
@@ -31,12 +32,15 @@ static inline const void *clip(const struct pipeline *p, uint32_t v)
 }
 
 /* A filled triangle: into the list. */
-static FGL_ALWAYS_INLINE void add_filled(struct pipeline *p, uint32_t a, uint32_t b, uint32_t c)
+static FGL_ALWAYS_INLINE void add_filled(struct assembly *as, uint32_t a, uint32_t b, uint32_t c)
 {
-    struct triangle_list *t = &p->triangles;
-    if (FGL_UNLIKELY(t->n == TRIANGLES_MAX))
-        fgl_triangles_flush(p);
-    uint32_t *vertex = t->vertex[t->n++];
+    struct triangle_list *t = &as->p->triangles;
+    if (FGL_UNLIKELY(as->next == t->vertex + TRIANGLES_MAX)) {
+        t->n = TRIANGLES_MAX;
+        fgl_triangles_flush(as->p);
+        as->next = t->vertex;
+    }
+    uint32_t *vertex = *as->next++;
     vertex[0] = a;
     vertex[1] = b;
     vertex[2] = c;
@@ -63,12 +67,12 @@ static FGL_NOINLINE void polygon_mode(struct pipeline *p, uint32_t a, uint32_t b
         fgl_raster_polygon_mode(&p->plan.raster, va, vb, vc, vc, edges, &p->stipple_counter);
 }
 
-static FGL_ALWAYS_INLINE void triangle(const struct assembly *as, int i0, int i1, int i2, unsigned edges)
+static FGL_ALWAYS_INLINE void triangle(struct assembly *as, int i0, int i1, int i2, unsigned edges)
 {
     struct pipeline *p = as->p;
     const uint32_t a = number(as, i0), b = number(as, i1), c = number(as, i2);
     if (as->filled)
-        add_filled(p, a, b, c);
+        add_filled(as, a, b, c);
     else
         polygon_mode(p, a, b, c, edges);
 }
@@ -135,25 +139,25 @@ static void lines(const struct assembly *as, const struct draw_prim *prim)
         line(as, n - 1, 0, counter);
 }
 
-static FGL_ALWAYS_INLINE void triangles(const struct assembly *as, int n)
+static FGL_ALWAYS_INLINE void triangles(struct assembly *as, int n)
 {
     for (int i = 0; i + 2 < n; i += 3)
         triangle(as, i, i + 1, i + 2, edge(as, i, 0) | edge(as, i + 1, 1) | edge(as, i + 2, 2));
 }
 
-static FGL_ALWAYS_INLINE void triangle_strip(const struct assembly *as, int n)
+static FGL_ALWAYS_INLINE void triangle_strip(struct assembly *as, int n)
 {
     for (int i = 0; i + 2 < n; i++)
         triangle(as, i + (i & 1), i + 1 - (i & 1), i + 2, 7);
 }
 
-static FGL_ALWAYS_INLINE void triangle_fan(const struct assembly *as, int n)
+static FGL_ALWAYS_INLINE void triangle_fan(struct assembly *as, int n)
 {
     for (int i = 2; i < n; i++)
         triangle(as, 0, i - 1, i, 7);
 }
 
-static FGL_ALWAYS_INLINE void polygon(const struct assembly *as, int n)
+static FGL_ALWAYS_INLINE void polygon(struct assembly *as, int n)
 {
     for (int i = 2; i < n; i++)
         triangle(as, i - 1, i, 0,
@@ -178,7 +182,7 @@ static bool any_outside(const struct assembly *as, int start, int end)
 
 /* OSMesa rule: which half of a quad comes first, which shows where the halves overlap, depends on whether a vertex of the segment has to be
  * clipped, or all are decomposed. */
-static FGL_ALWAYS_INLINE void quad_strip(const struct assembly *as, int n)
+static FGL_ALWAYS_INLINE void quad_strip(struct assembly *as, int n)
 {
     n -= n % 2;
     for (int start = 0; start + 3 < n; start += FGL_BATCH_SIZE - 2) {
@@ -194,13 +198,13 @@ static FGL_ALWAYS_INLINE void quad_strip(const struct assembly *as, int n)
     }
 }
 
-static FGL_ALWAYS_INLINE void quad_by_first_diagonal(const struct assembly *as, int i)
+static FGL_ALWAYS_INLINE void quad_by_first_diagonal(struct assembly *as, int i)
 {
     triangle(as, i, i + 1, i + 2, 0);
     triangle(as, i, i + 2, i + 3, 0);
 }
 
-static FGL_ALWAYS_INLINE void quad_by_second_diagonal(const struct assembly *as, int i)
+static FGL_ALWAYS_INLINE void quad_by_second_diagonal(struct assembly *as, int i)
 {
     triangle(as, i, i + 1, i + 3, edge(as, i, 0) | edge(as, i + 3, 2));
     triangle(as, i + 1, i + 2, i + 3, edge(as, i + 1, 0) | edge(as, i + 2, 1) | EDGES_GO_ON);
@@ -208,7 +212,7 @@ static FGL_ALWAYS_INLINE void quad_by_second_diagonal(const struct assembly *as,
 
 /* OSMesa rule: a quad's diagonal is from its first vertex when the draw is smooth, not decomposed, neither indexed nor from a display list, and none of
  * the vertices of its segment, 1024 of them, lies outside the volume; else from its second. */
-static FGL_ALWAYS_INLINE void quads(const struct assembly *as, int n, bool compiled)
+static FGL_ALWAYS_INLINE void quads(struct assembly *as, int n, bool compiled)
 {
     const struct pipeline *p = as->p;
     const bool simple = !p->plan.decomposed && !p->plan.raster.flat && !as->elements && !compiled;
@@ -225,7 +229,7 @@ static FGL_ALWAYS_INLINE void quads(const struct assembly *as, int n, bool compi
     }
 }
 
-static FGL_ALWAYS_INLINE void polygons(const struct assembly *as, GLenum mode, int n, bool compiled)
+static FGL_ALWAYS_INLINE void polygons(struct assembly *as, GLenum mode, int n, bool compiled)
 {
     switch (mode) {
     case GL_TRIANGLES: triangles(as, n); break;
@@ -240,26 +244,30 @@ static FGL_ALWAYS_INLINE void polygons(const struct assembly *as, GLenum mode, i
 
 static void filled(struct pipeline *p, const struct draw_prim *prim, uint32_t base, bool compiled)
 {
-    const struct assembly as = {p, NULL, prim->first, base, true};
+    struct triangle_list *t = &p->triangles;
+    struct assembly as = {p, NULL, prim->first, base, true, t->vertex + t->n};
     polygons(&as, prim->mode, prim->count, compiled);
+    t->n = (int)(as.next - t->vertex);
 }
 
 static void filled_elements(struct pipeline *p, const struct draw_prim *prim, const uint32_t *elements, uint32_t base)
 {
+    struct triangle_list *t = &p->triangles;
     if (!elements)
         return;
-    const struct assembly as = {p, elements, prim->first, base, true};
+    struct assembly as = {p, elements, prim->first, base, true, t->vertex + t->n};
     polygons(&as, prim->mode, prim->count, false);
+    t->n = (int)(as.next - t->vertex);
 }
 
-static void in_polygon_mode(const struct assembly *as, GLenum mode, int n, bool compiled)
+static void in_polygon_mode(struct assembly *as, GLenum mode, int n, bool compiled)
 {
     polygons(as, mode, n, compiled);
 }
 
 void fgl_assemble(struct pipeline *p, const struct draw_prim *prim, const uint32_t *elements, uint32_t base, bool compiled)
 {
-    const struct assembly as = {p, elements, prim->first, base, false};
+    struct assembly as = {p, elements, prim->first, base, false, NULL};
     if (prim->mode < GL_TRIANGLES)
         fgl_triangles_flush(p); /* in the order given */
     if (prim->mode == GL_POINTS)

@@ -40,25 +40,6 @@ FETCH(int, GLint, snorm((float)v, 2147483647.0), (float)v)
 FETCH(double, GLdouble, (float)v, (float)v)
 FETCH(float, GLfloat, v, v)
 
-/* Whole vertices at a time: size components each, one after the other in memory. */
-static FGL_ALWAYS_INLINE void fetch_floats(struct lanes4 *FGL_RESTRICT to, const char *from, ptrdiff_t stride, int n, const int size)
-{
-    for (int i = 0; i < n; i++) {
-        for (int c = 0; c < size; c++)
-            memcpy(&to->c[c][i], from + i * stride + c * (ptrdiff_t)sizeof(float), sizeof(float));
-    }
-}
-
-static void fetch_attr_floats(struct lanes4 *to, const char *from, ptrdiff_t stride, int n, int size)
-{
-    switch (size) {
-    case 1: fetch_floats(to, from, stride, n, 1); break;
-    case 2: fetch_floats(to, from, stride, n, 2); break;
-    case 3: stride == 12 ? fetch_floats(to, from, 12, n, 3) : fetch_floats(to, from, stride, n, 3); break;
-    default: fetch_floats(to, from, stride, n, 4); break;
-    }
-}
-
 static int component_bytes(GLenum type)
 {
     switch (type) {
@@ -98,7 +79,7 @@ void fgl_fetch_one(const struct attr_source *a, int attr, uint32_t i, float v[4]
 static void fetch_attr(struct lanes4 *in, const char *from, const struct attr_source *a, int n, bool norm)
 {
     if (a->type == GL_FLOAT)
-        fetch_attr_floats(in, from, a->stride, n, a->size);
+        fgl_clip_kernels(ARITH_COMPATIBLE)->fetch_floats(in, from, a->stride, n, a->size);
     for (int c = a->type == GL_FLOAT ? a->size : 0; c < 4; c++) {
         float *to = in->c[c];
         if (c < a->size)

@@ -139,6 +139,8 @@ struct clip_kernels {
     /* Writes those of n triangles that may be seen to `seen`, which has room for n. vertex: the triangles' vertices, readable in whole
      * groups of SIEVE_GROUP. */
     struct triangle_section (*sieve)(const struct pipeline *p, const uint32_t (*vertex)[3], int n, struct seen_triangle *seen);
+    /* n vertices of `size` floats, `stride` bytes apart, to the first lanes of `to`. */
+    void (*fetch_floats)(struct lanes4 *to, const char *from, ptrdiff_t stride, int n, int size);
 };
 const struct clip_kernels *fgl_clip_kernels(enum fgl_arith arith);
 

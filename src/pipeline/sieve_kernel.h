@@ -57,20 +57,31 @@ static void sieve_load(struct sieved *FGL_RESTRICT s, const struct snapped *snap
         }
 }
 
-/* Orientation, and the box of pixels that may be covered. */
-static void sieve_boxes(struct sieved *FGL_RESTRICT s, const struct raster_plan *plan)
+/* Orientation, and with it which triangles are culled. Returns whether any is kept or special. */
+static bool sieve_orient(struct sieved *FGL_RESTRICT s, const struct raster_plan *plan)
 {
-    const struct rect bounds = plan->bounds;
     const int32_t keep_ccw = !plan->cull_ccw, keep_cw = !plan->cull_cw;
-    int32_t cut = 0;
+    int32_t any = 0;
 
     FOR_SIEVED (i, s) {
         const int32_t px = s->x[0][i], py = s->y[0][i], qx = s->x[1][i], qy = s->y[1][i], rx = s->x[2][i], ry = s->y[2][i];
         const double area = (double)(px - qx) * (double)(ry - py) - (double)(rx - px) * (double)(py - qy); /* exact: below 2^53 */
-        const int32_t min_x = fgl_min(fgl_min(px, qx), rx), max_x = fgl_max(fgl_max(px, qx), rx);
-        const int32_t min_y = fgl_min(fgl_min(py, qy), ry), max_y = fgl_max(fgl_max(py, qy), ry);
-        const int32_t left = (min_x + 255) >> 8, top = (min_y >> 8) + 1;
-        const int32_t right = (max_x + 255) >> 8, bottom = (max_y >> 8) + 1;
+        s->ccw[i] = area > 0;
+        s->kept[i] = ((area > 0) & keep_ccw) | ((area < 0) & keep_cw);
+        any |= s->kept[i] | s->special[i];
+    }
+    return any;
+}
+
+/* The box of pixels that may be covered. */
+static void sieve_boxes(struct sieved *FGL_RESTRICT s, const struct rect bounds)
+{
+    int32_t cut = 0;
+
+    FOR_SIEVED (i, s) {
+        const int32_t min_x = fgl_min(fgl_min(s->x[0][i], s->x[1][i]), s->x[2][i]), max_x = fgl_max(fgl_max(s->x[0][i], s->x[1][i]), s->x[2][i]);
+        const int32_t min_y = fgl_min(fgl_min(s->y[0][i], s->y[1][i]), s->y[2][i]), max_y = fgl_max(fgl_max(s->y[0][i], s->y[1][i]), s->y[2][i]);
+        const int32_t left = (min_x + 255) >> 8, right = (max_x + 255) >> 8, top = (min_y >> 8) + 1, bottom = (max_y >> 8) + 1;
         const int32_t x0 = fgl_max(bounds.x0, left), x1 = fgl_min(bounds.x1, right);
         const int32_t y0 = fgl_max(bounds.y0, top), y1 = fgl_min(bounds.y1, bottom);
         cut |= (x0 != left) | (x1 != right) | (y0 != top) | (y1 != bottom);
@@ -80,9 +91,8 @@ static void sieve_boxes(struct sieved *FGL_RESTRICT s, const struct raster_plan 
         s->x1[i] = x1;
         s->y0[i] = y0;
         s->y1[i] = y1;
-        s->ccw[i] = area > 0;
         s->small[i] = (max_x - min_x <= SMALL_EXTENT) & (max_y - min_y <= SMALL_EXTENT);
-        s->kept[i] = (((area > 0) & keep_ccw) | ((area < 0) & keep_cw)) & (x0 < x1) & (y0 < y1);
+        s->kept[i] &= (x0 < x1) & (y0 < y1);
     }
     s->cut = cut;
 }
@@ -197,7 +207,9 @@ static struct triangle_section sieve(const struct pipeline *p, const uint32_t (*
         const int count = fgl_min(n - first, SIEVE_SIZE);
         s.n = whole_sieve_groups(count + SIEVE_GROUP - 1);
         sieve_load(&s, p->cache.snapped, vertex + first);
-        sieve_boxes(&s, &p->plan.raster);
+        if (!sieve_orient(&s, &p->plan.raster))
+            continue;
+        sieve_boxes(&s, p->plan.raster.bounds);
         if (p->general)
             memset(s.mask, 0, sizeof s.mask);
         else
