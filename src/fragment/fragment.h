@@ -118,6 +118,7 @@ struct fragment_kernels {
     /* COLOR_UNORM8 with all channels written; depth written where it is tested; no other stage, no smoothing,
      * no stipple */
     fragment_fill_fn *fused[DEPTH_KINDS][COLOR_SOURCES];
+    fragment_fill_fn *staged[DEPTH_KINDS]; /* the same with any source and stages of colours: textures, colour sum, fog */
     fragment_scatter_fn *scatter[DEPTH_KINDS][COLOR_SOURCES]; /* the same; NULL where no triangle has such a colour */
     fragment_fill_fn *general; /* everything that a plan and planes can ask for */
     /* for explain: stage number `stage` at a pixel */

@@ -1,10 +1,13 @@
 /* The fused kernels: depth test, interpolation and write in one pass, for plans with no other stage
- * (GL 1.5, 4.1.5 "Depth Buffer Test" and the write of 4.2). One body; its flags are constants in each
- * instance. */
+ * (GL 1.5, 4.1.5 "Depth Buffer Test" and the write of 4.2); or with the general path's stages between, a function of its own
+ * for all. One body; its flags are constants in each instance. */
 #ifndef FGL_FRAGMENT_FUSED_H
 #define FGL_FRAGMENT_FUSED_H
 
-#include "fragment/group.h"
+#include "fragment/general.h"
+
+/* In place of a source: whatever the general path's stages make of colours. */
+enum { COLOR_STAGED = COLOR_SOURCES };
 
 /* One row of a primitive. depth and color point at pixel 0 of the row. */
 struct fused_row {
@@ -20,11 +23,11 @@ struct fused_row {
 /* The depth test: writes the depth of the pixels that pass, marks them in live (all bits or none). Returns
  * whether any does. */
 static FGL_ALWAYS_INLINE bool fused_depth(const struct planes *p, const struct fused_row *row, int x,
-                                          int32_t *FGL_RESTRICT live, const enum depth_kind kind)
+                                          int32_t *FGL_RESTRICT live, const enum depth_kind kind, const int n)
 {
     int32_t *FGL_RESTRICT depth = kind != DEPTH_OFF ? row->depth + x : NULL;
     int32_t any = 0;
-    for (int i = 0; i < FUSED_GROUP; i++) {
+    for (int i = 0; i < n; i++) {
         const int32_t inside = -((x + i >= row->x0) & (x + i < row->x1));
         int32_t pass = inside;
         if (kind != DEPTH_OFF) {
@@ -56,9 +59,25 @@ static FGL_ALWAYS_INLINE void fused_color(const struct planes *p, const struct f
     }
 }
 
+static FGL_NOINLINE void staged_color(const struct fragment_plan *plan, const struct planes *p, int y, int x, const int32_t *live,
+                                      uint32_t *FGL_RESTRICT color)
+{
+    struct fragments f;
+    f.x = x;
+    f.row = y;
+    f.fy = (real)y;
+    FOR_GROUP(i) f.fx[i] = (real)(x + i);
+    FOR_GROUP(i) f.w[i] = 1 / plane_at(p, LANE_OOW, f.fx[i], f.fy);
+    FOR_GROUP(i) f.live[i] = live[i];
+    find_colors(&f, plan, p);
+    FOR_GROUP(i) {
+        const uint32_t c = pack_unorm8(f.color[0][i], f.color[1][i], f.color[2][i], f.color[3][i]);
+        color[i] = f.live[i] ? c : color[i];
+    }
+}
+
 static FGL_ALWAYS_INLINE void fused_fill(const struct fragment_plan *plan, const struct planes *planes,
-                                         const struct runs *runs, const enum depth_kind kind,
-                                         const enum color_source source)
+                                         const struct runs *runs, const enum depth_kind kind, const int source)
 {
     const struct framebuffer *fb = plan->fb;
     const ptrdiff_t stride = fb->stride;
@@ -80,9 +99,14 @@ static FGL_ALWAYS_INLINE void fused_fill(const struct fragment_plan *plan, const
         row.x1 = runs->x1[i];
         row.depth = kind != DEPTH_OFF ? (int32_t *)fb->depth + (runs->y + i) * stride : NULL;
         row.color = (uint32_t *)fb->color + (runs->y + i) * stride;
-        for (int x = row.x0 & -FUSED_GROUP; x < row.x1; x += FUSED_GROUP) {
-            int32_t live[FUSED_GROUP];
-            if (fused_depth(planes, &row, x, live, kind))
+        const int n = source == COLOR_STAGED ? FRAGMENT_GROUP : FUSED_GROUP;
+        for (int x = row.x0 & -n; x < row.x1; x += n) {
+            _Alignas(64) int32_t live[FRAGMENT_GROUP];
+            if (!fused_depth(planes, &row, x, live, kind, n))
+                continue;
+            if (source == COLOR_STAGED)
+                staged_color(plan, planes, runs->y + i, x, live, row.color + x);
+            else
                 fused_color(planes, &row, x, live, source);
         }
     }
@@ -105,6 +129,9 @@ FUSED(fill_constant_lequal, DEPTH_LEQUAL, COLOR_CONSTANT)
 FUSED(fill_flat_lequal, DEPTH_LEQUAL, COLOR_FLAT)
 FUSED(fill_smooth_lequal, DEPTH_LEQUAL, COLOR_SMOOTH)
 FUSED(fill_image_lequal, DEPTH_LEQUAL, COLOR_IMAGE)
+FUSED(fill_staged, DEPTH_OFF, COLOR_STAGED)
+FUSED(fill_staged_less, DEPTH_LESS, COLOR_STAGED)
+FUSED(fill_staged_lequal, DEPTH_LEQUAL, COLOR_STAGED)
 #undef FUSED
 
 #endif

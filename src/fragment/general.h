@@ -18,7 +18,7 @@ static inline bool pass_tests(struct fragments *f, const struct fragment_plan *p
     return plan->color_write && any_live(f);
 }
 
-static inline void find_colors(struct fragments *f, const struct fragment_plan *plan, const struct planes *planes)
+static FGL_ALWAYS_INLINE void find_colors(struct fragments *f, const struct fragment_plan *plan, const struct planes *planes)
 {
     if (FGL_UNLIKELY(plan->color_source == COLOR_LIT))
         light_group(f, plan, planes);

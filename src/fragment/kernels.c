@@ -13,6 +13,7 @@ const struct fragment_kernels FGL_KERNELS(fragment) = {
                   [DEPTH_LESS] = {fill_constant_less, fill_flat_less, fill_smooth_less, fill_image_less},
                   [DEPTH_LEQUAL] = {fill_constant_lequal, fill_flat_lequal, fill_smooth_lequal,
                                     fill_image_lequal}},
+        .staged = {[DEPTH_OFF] = fill_staged, [DEPTH_LESS] = fill_staged_less, [DEPTH_LEQUAL] = fill_staged_lequal},
         .scatter = {[DEPTH_OFF] = {scatter_constant, scatter_flat, scatter_smooth},
                     [DEPTH_LESS] = {scatter_constant_less, scatter_flat_less, scatter_smooth_less},
                     [DEPTH_LEQUAL] = {scatter_constant_lequal, scatter_flat_lequal, scatter_smooth_lequal}},

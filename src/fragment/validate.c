@@ -37,14 +37,14 @@ static void choose_fused(struct fragment_plan *plan)
     const struct fragment_kernels *kernels = fgl_fragment_kernels(plan->arith);
     const bool *write = plan->channel_write;
     const enum depth_kind depth = !plan->depth_test ? DEPTH_OFF : plan->depth_func == GL_LESS ? DEPTH_LESS : DEPTH_LEQUAL;
-    if (plan->fb->color_kind != COLOR_UNORM8 || plan->has_secondary || plan->has_fog || plan->textures || plan->alpha_test ||
-        plan->stencil_test || plan->blend || plan->logic_op || plan->samples_passed ||
-        !(write[0] && write[1] && write[2] && write[3]) || !kernels->fused[depth][plan->color_source])
+    const bool staged = plan->has_secondary || plan->has_fog || plan->textures || !kernels->fused[depth][plan->color_source];
+    if (plan->fb->color_kind != COLOR_UNORM8 || plan->alpha_test || plan->stencil_test || plan->blend || plan->logic_op ||
+        plan->samples_passed || !(write[0] && write[1] && write[2] && write[3]))
         return;
     if (plan->depth_test && (!plan->depth_write || (plan->depth_func != GL_LESS && plan->depth_func != GL_LEQUAL)))
         return;
-    plan->fill = kernels->fused[depth][plan->color_source];
-    plan->scatter = kernels->scatter[depth][plan->color_source];
+    plan->fill = staged ? kernels->staged[depth] : kernels->fused[depth][plan->color_source];
+    plan->scatter = staged ? NULL : kernels->scatter[depth][plan->color_source];
 }
 
 /* Colour index mode: neither colour sum nor alpha test nor blending (GL 1.5, 3.9, 4.1.4, 4.1.8), a logical

@@ -426,12 +426,17 @@ static void compare_kernels(enum color_kind kind, int depth_bits, bool plain)
         copy_pixels(&got, &start);
         k->general(&plan, &planes, &runs);
         assert_same_pixels(&want, &got);
+        const enum depth_kind depth = !plan.depth_test             ? DEPTH_OFF
+                                      : plan.depth_func == GL_LESS ? DEPTH_LESS
+                                                                   : DEPTH_LEQUAL;
         if (plain && kind == COLOR_UNORM8) {
-            const enum depth_kind depth = !plan.depth_test             ? DEPTH_OFF
-                                          : plan.depth_func == GL_LESS ? DEPTH_LESS
-                                                                       : DEPTH_LEQUAL;
             copy_pixels(&got, &start);
             k->fused[depth][plan.color_source](&plan, &planes, &runs);
+            assert_same_pixels(&want, &got);
+        }
+        if (plan.fill != plan.general) {
+            copy_pixels(&got, &start);
+            k->staged[depth](&plan, &planes, &runs);
             assert_same_pixels(&want, &got);
         }
         framebuffer_check(&got);
