@@ -11,11 +11,10 @@
 /* Whether any fragment is left to be written. */
 static inline bool pass_tests(struct fragments *f, const struct fragment_plan *plan, const struct planes *planes)
 {
-    if (plan->stencil_test || plan->depth_test)
-        stencil_depth_test(f, plan, planes);
+    const bool any = plan->stencil_test || plan->depth_test ? stencil_depth_test(f, plan, planes) : any_live(f);
     if (FGL_UNLIKELY(plan->samples_passed != NULL))
         count_samples(f, plan);
-    return plan->color_write && any_live(f);
+    return plan->color_write && any;
 }
 
 static FGL_ALWAYS_INLINE void find_colors(struct fragments *f, const struct fragment_plan *plan, const struct planes *planes)

@@ -31,23 +31,64 @@ static inline void alpha_test(struct fragments *f, const struct fragment_plan *p
     }
 }
 
-/* What a stencil operation makes of 8-bit values. */
-static inline void stencil_operation(GLenum op, int32_t ref, const int32_t *FGL_RESTRICT old,
-                                     int32_t *FGL_RESTRICT result)
+/* ---- stencil: lanes of 8 bits, masks of all bits or none ---- */
+
+typedef uint8_t stencil_lanes[FRAGMENT_GROUP];
+
+static FGL_ALWAYS_INLINE void stencil_compare(GLenum func, uint8_t ref, uint8_t mask, const stencil_lanes old,
+                                              stencil_lanes ok)
+{
+    const uint8_t less = (uint8_t)-(func & 1), equal = (uint8_t)-(func >> 1 & 1), greater = (uint8_t)-(func >> 2 & 1), a = ref & mask;
+    FOR_GROUP(i) {
+        const uint8_t b = old[i] & mask;
+        ok[i] = (uint8_t)((a < b ? less : 0) | (a == b ? equal : 0) | (a > b ? greater : 0));
+    }
+}
+
+/* What a stencil operation makes of values. */
+static FGL_ALWAYS_INLINE void stencil_operation(GLenum op, uint8_t ref, const stencil_lanes old, stencil_lanes result)
 {
     /* clang-format off */
     switch (op) {
     case GL_ZERO:      FOR_GROUP(i) result[i] = 0; break;
     case GL_REPLACE:   FOR_GROUP(i) result[i] = ref; break;
-    case GL_INCR:      FOR_GROUP(i) result[i] = old[i] < 255 ? old[i] + 1 : 255; break;
-    case GL_DECR:      FOR_GROUP(i) result[i] = old[i] > 0 ? old[i] - 1 : 0; break;
-    case GL_INCR_WRAP: FOR_GROUP(i) result[i] = (old[i] + 1) & 255; break;
-    case GL_DECR_WRAP: FOR_GROUP(i) result[i] = (old[i] - 1) & 255; break;
-    case GL_INVERT:    FOR_GROUP(i) result[i] = ~old[i] & 255; break;
+    case GL_INCR:      FOR_GROUP(i) result[i] = (uint8_t)(old[i] + (old[i] != 255)); break;
+    case GL_DECR:      FOR_GROUP(i) result[i] = (uint8_t)(old[i] - (old[i] != 0)); break;
+    case GL_INCR_WRAP: FOR_GROUP(i) result[i] = (uint8_t)(old[i] + 1); break;
+    case GL_DECR_WRAP: FOR_GROUP(i) result[i] = (uint8_t)(old[i] - 1); break;
+    case GL_INVERT:    FOR_GROUP(i) result[i] = (uint8_t)~old[i]; break;
     default:           FOR_GROUP(i) result[i] = old[i]; break; /* GL_KEEP */
     }
     /* clang-format on */
 }
+
+/* Leaves those that pass in f->live; whether there are any. `pass`: of the depth test; NULL without one. */
+static FGL_ALWAYS_INLINE bool stencil_test(struct fragments *f, const struct fragment_plan *plan, const int32_t *pass)
+{
+    const struct stencil_state *s = &plan->stencil;
+    uint8_t *stencil = plan->fb->stencil + f->row * (ptrdiff_t)plan->fb->stride + f->x;
+    const uint8_t write = s->stencil_writemask & 255, ref = (uint8_t)fgl_clamp(s->stencil_ref, 0, 255);
+    stencil_lanes old, ok, live, result, failed;
+    uint8_t any = 0;
+    memcpy(old, stencil, sizeof old);
+    FOR_GROUP(i) live[i] = (uint8_t)f->live[i];
+    stencil_compare(s->stencil_func, ref, s->stencil_value_mask & 255, old, ok);
+    stencil_operation(s->stencil_pass_depth_pass, ref, old, result);
+    if (pass) {
+        stencil_operation(s->stencil_pass_depth_fail, ref, old, failed);
+        FOR_GROUP(i) result[i] = pass[i] ? result[i] : failed[i];
+    }
+    stencil_operation(s->stencil_fail, ref, old, failed);
+    FOR_GROUP(i) {
+        const uint8_t value = (uint8_t)((result[i] & ok[i]) | (failed[i] & ~ok[i]));
+        stencil[i] = (uint8_t)(old[i] ^ ((old[i] ^ value) & write & live[i]));
+    }
+    FOR_GROUP(i) any |= ok[i] & live[i];
+    FOR_GROUP(i) f->live[i] &= (int32_t)(int8_t)ok[i];
+    return any;
+}
+
+/* ---- depth ---- */
 
 /* The depth of each fragment, and which pass. */
 static inline void depth_compare(struct fragments *f, const struct fragment_plan *plan,
@@ -63,39 +104,21 @@ static inline void depth_compare(struct fragments *f, const struct fragment_plan
     FOR_GROUP(i) pass[i] = compare(plan->depth_func, f->depth[i], old[i]);
 }
 
-/* Stencil and depth together, since the stencil's new value depends on both. */
-static inline void stencil_depth_test(struct fragments *f, const struct fragment_plan *plan,
+/* Stencil and depth together, since the stencil's new value depends on both. Whether any fragment passes. */
+static inline bool stencil_depth_test(struct fragments *f, const struct fragment_plan *plan,
                                       const struct planes *p)
 {
-    const struct framebuffer *fb = plan->fb;
-    const ptrdiff_t at = f->row * (ptrdiff_t)fb->stride + f->x;
-    int32_t *depth = plan->depth_test ? (int32_t *)fb->depth + at : NULL;
+    if (!plan->depth_test)
+        return stencil_test(f, plan, NULL);
+    int32_t *depth = (int32_t *)plan->fb->depth + f->row * (ptrdiff_t)plan->fb->stride + f->x;
     int32_t pass[FRAGMENT_GROUP];
-    FOR_GROUP(i) pass[i] = -1;
-    if (depth)
-        depth_compare(f, plan, p, depth, pass);
-
-    if (plan->stencil_test) {
-        const struct stencil_state *s = &plan->stencil;
-        uint8_t *stencil = fb->stencil + at;
-        const int32_t value_mask = s->stencil_value_mask & 255, write_mask = s->stencil_writemask & 255,
-                      ref = fgl_clamp(s->stencil_ref, 0, 255);
-        int32_t old[FRAGMENT_GROUP], ok[FRAGMENT_GROUP], fail[FRAGMENT_GROUP], zfail[FRAGMENT_GROUP],
-                zpass[FRAGMENT_GROUP];
-        FOR_GROUP(i) old[i] = stencil[i];
-        FOR_GROUP(i) ok[i] = compare(s->stencil_func, ref & value_mask, old[i] & value_mask);
-        stencil_operation(s->stencil_fail, ref, old, fail);
-        stencil_operation(s->stencil_pass_depth_fail, ref, old, zfail);
-        stencil_operation(s->stencil_pass_depth_pass, ref, old, zpass);
-        FOR_GROUP(i) {
-            const int32_t result = ok[i] ? (pass[i] ? zpass[i] : zfail[i]) : fail[i];
-            stencil[i] = (uint8_t)(old[i] ^ ((old[i] ^ result) & write_mask & f->live[i]));
-        }
-        FOR_GROUP(i) f->live[i] &= ok[i];
-    }
+    depth_compare(f, plan, p, depth, pass);
+    if (plan->stencil_test)
+        stencil_test(f, plan, pass);
     FOR_GROUP(i) f->live[i] &= pass[i];
-    if (depth && plan->depth_write)
+    if (plan->depth_write)
         FOR_GROUP(i) depth[i] = f->live[i] ? f->depth[i] : depth[i];
+    return any_live(f);
 }
 
 /* Fragments that passed all tests (GL 1.5, 4.1.7 "Occlusion Queries"). */
