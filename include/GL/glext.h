@@ -1308,6 +1308,24 @@ typedef void (APIENTRYP PFNGLGETCOMPRESSEDTEXIMAGEARBPROC)(GLenum target, GLint 
 #define GL_PIXEL_UNPACK_BUFFER_BINDING             0x88EF
 #endif
 
+/* Textures of GL_TEXTURE_RECTANGLE_ARB have one level and no border, and are addressed by texels: s from 0 to the width, t to the height. Their
+ * wrap modes clamp and their filters do not mipmap; GL_INVALID_ENUM otherwise. */
+#ifndef GL_ARB_texture_rectangle
+#define GL_ARB_texture_rectangle 1
+#define GL_EXT_texture_rectangle 1
+#define GL_TEXTURE_RECTANGLE_ARB                   0x84F5
+#define GL_TEXTURE_BINDING_RECTANGLE_ARB           0x84F6
+#define GL_PROXY_TEXTURE_RECTANGLE_ARB             0x84F7
+#define GL_MAX_RECTANGLE_TEXTURE_SIZE_ARB          0x84F8
+#endif
+#ifndef GL_NV_texture_rectangle
+#define GL_NV_texture_rectangle 1
+#define GL_TEXTURE_RECTANGLE_NV                    0x84F5
+#define GL_TEXTURE_BINDING_RECTANGLE_NV            0x84F6
+#define GL_PROXY_TEXTURE_RECTANGLE_NV              0x84F7
+#define GL_MAX_RECTANGLE_TEXTURE_SIZE_NV           0x84F8
+#endif
+
 /* glMapBufferRange maps a part of a buffer object, for reading, writing or both: GL_MAP_READ_BIT, GL_MAP_WRITE_BIT. The other bits are hints,
  * but GL_MAP_FLUSH_EXPLICIT_BIT, which allows glFlushMappedBufferRange.
  * Errors: GL_INVALID_VALUE outside of the buffer or for other bits; GL_INVALID_OPERATION for no length, no access, one that contradicts

@@ -287,7 +287,7 @@ void fgl_exec_GetFramebufferAttachmentParameteriv(struct context *ctx, GLenum ta
 void fgl_exec_GenerateMipmap(struct context *ctx, GLenum target)
 {
     enum texture_target t;
-    RETURN_ERROR_IF(ctx, !fgl_texture_target(target, &t), GL_INVALID_ENUM);
+    RETURN_ERROR_IF(ctx, !fgl_texture_target(target, &t) || t == TEXTURE_RECTANGLE, GL_INVALID_ENUM);
     struct texture_object *object = fgl_bound_texture(ctx, t);
     const int base = object->parameters.base_level;
     for (int face = 1; face < fgl_texture_faces(t) && base < FGL_MAX_TEXTURE_LEVELS; face++)

@@ -80,6 +80,10 @@ static void texture_binding_2d(const struct context *ctx, double *v)
 {
     *v = texture_binding(ctx, TEXTURE_2D);
 }
+static void texture_binding_rectangle(const struct context *ctx, double *v)
+{
+    *v = texture_binding(ctx, TEXTURE_RECTANGLE);
+}
 static void texture_binding_3d(const struct context *ctx, double *v)
 {
     *v = texture_binding(ctx, TEXTURE_3D);

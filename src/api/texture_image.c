@@ -23,12 +23,13 @@ static bool is_depth(GLenum internal_format)
 }
 
 /* Whether a level may have this size in one dimension. */
-static bool size_fits(const struct texture_call *call, int levels, int size)
+static bool size_fits(const struct texture_call *call, enum texture_target target, int size)
 {
+    const int levels = target == TEXTURE_RECTANGLE ? FGL_MAX_TEXTURE_LEVELS : fgl_texture_levels(target);
     return size - 2 * call->border <= 1 << (levels - 1 - call->level);
 }
 
-/* OSMesa rule: proxies refuse images of more than 2^30 bytes. */
+/* OSMesa rule: images of more than 2^30 bytes are refused. */
 static bool is_beyond_memory(const struct texture_call *call)
 {
     const double texel_bytes = (double)fgl_texel_bytes(fgl_texture_format((GLenum)call->internal_format)->kind), most = 1 << 30;
@@ -39,7 +40,7 @@ GLenum fgl_texture_define_error(const struct texture_call *call, const struct im
 {
     const int levels = fgl_texture_levels(t->target);
     const int smallest = 2 * call->border;
-    if (call->level < 0 || call->level >= levels || call->border < 0 || call->border > 1)
+    if (call->level < 0 || call->level >= levels || call->border < 0 || call->border > (t->target == TEXTURE_RECTANGLE ? 0 : 1))
         return GL_INVALID_VALUE;
     if (call->width < smallest || (call->dimensions > 1 && call->height < smallest) ||
         (call->dimensions > 2 && call->depth < smallest))
@@ -48,8 +49,8 @@ GLenum fgl_texture_define_error(const struct texture_call *call, const struct im
         return GL_INVALID_VALUE;
     if (t->target == TEXTURE_CUBE_MAP && call->width != call->height)
         return GL_INVALID_VALUE;
-    *too_large = !size_fits(call, levels, call->width) || (call->dimensions > 1 && !size_fits(call, levels, call->height)) ||
-                 (call->dimensions > 2 && !size_fits(call, levels, call->depth));
+    *too_large = !size_fits(call, t->target, call->width) || (call->dimensions > 1 && !size_fits(call, t->target, call->height)) ||
+                 (call->dimensions > 2 && !size_fits(call, t->target, call->depth));
     *too_large |= t->proxy && is_beyond_memory(call);
     return *too_large && !t->proxy ? GL_INVALID_VALUE : GL_NO_ERROR;
 }
@@ -146,6 +147,7 @@ static void execute_image(struct context *ctx, const struct texture_call *call, 
         fgl_texture_image_clear(fgl_target_image(ctx, &t, call->level));
         return;
     }
+    RETURN_ERROR_IF(ctx, !t.proxy && is_beyond_memory(call), GL_OUT_OF_MEMORY);
     if (!t.proxy && !find_pixels(ctx, call, source))
         return;
     if (!fgl_texture_define(ctx, call, &t) || t.proxy)

@@ -42,12 +42,29 @@ static bool enum_allowed(GLenum pname, GLenum v)
     }
 }
 
+/* GL_ARB_texture_rectangle: the error of a value that other targets may have. */
+static GLenum rectangle_error(GLenum pname, float value)
+{
+    const GLenum v = fgl_enum_from_float(value);
+    switch (pname) {
+    case GL_TEXTURE_MIN_FILTER: return is_filter(v) ? GL_NO_ERROR : GL_INVALID_ENUM;
+    case GL_TEXTURE_WRAP_S:
+    case GL_TEXTURE_WRAP_T:
+    case GL_TEXTURE_WRAP_R: return v == GL_REPEAT || v == GL_MIRRORED_REPEAT ? GL_INVALID_ENUM : GL_NO_ERROR;
+    case GL_TEXTURE_BASE_LEVEL: return value != 0.0f ? GL_INVALID_OPERATION : GL_NO_ERROR;
+    case GL_TEXTURE_MAX_LEVEL: return value > 0.0f ? GL_INVALID_VALUE : GL_NO_ERROR; /* OSMesa rule */
+    default: return GL_NO_ERROR;
+    }
+}
+
 void fgl_exec_TexParameterfv(struct context *ctx, GLenum target, GLenum pname, const GLfloat *params)
 {
     enum texture_target t;
     const struct param *p = fgl_texture_param(pname);
     RETURN_ERROR_IF(ctx, !fgl_texture_target(target, &t) || !p, GL_INVALID_ENUM);
     RETURN_ERROR_IF(ctx, p->kind == PARAM_ENUM && !enum_allowed(pname, fgl_enum_from_float(params[0])), GL_INVALID_ENUM);
+    const GLenum error = t == TEXTURE_RECTANGLE ? rectangle_error(pname, params[0]) : GL_NO_ERROR;
+    RETURN_ERROR_IF(ctx, error, error);
     RETURN_ERROR_IF(ctx, !fgl_param_allows(p, params), GL_INVALID_VALUE);
 
     struct texture_object *object = fgl_bound_texture(ctx, t);

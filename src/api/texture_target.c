@@ -9,6 +9,7 @@ bool fgl_texture_target(GLenum target, enum texture_target *out)
     switch (target) {
     case GL_TEXTURE_1D: *out = TEXTURE_1D; return true;
     case GL_TEXTURE_2D: *out = TEXTURE_2D; return true;
+    case GL_TEXTURE_RECTANGLE_ARB: *out = TEXTURE_RECTANGLE; return true;
     case GL_TEXTURE_3D: *out = TEXTURE_3D; return true;
     case GL_TEXTURE_CUBE_MAP: *out = TEXTURE_CUBE_MAP; return true;
     default: return false;
@@ -21,6 +22,7 @@ static bool find(GLenum target, struct image_target *out)
     switch (target) {
     case GL_PROXY_TEXTURE_1D: out->proxy = true; out->target = TEXTURE_1D; return true;
     case GL_PROXY_TEXTURE_2D: out->proxy = true; out->target = TEXTURE_2D; return true;
+    case GL_PROXY_TEXTURE_RECTANGLE_ARB: out->proxy = true; out->target = TEXTURE_RECTANGLE; return true;
     case GL_PROXY_TEXTURE_3D: out->proxy = true; out->target = TEXTURE_3D; return true;
     case GL_PROXY_TEXTURE_CUBE_MAP: out->proxy = true; out->target = TEXTURE_CUBE_MAP; return true;
     default: break;
@@ -36,7 +38,7 @@ static bool find(GLenum target, struct image_target *out)
 
 bool fgl_image_target(GLenum target, int dimensions, struct image_target *out)
 {
-    static const int dimensions_of[TEXTURE_TARGETS] = {1, 2, 3, 2};
+    static const int dimensions_of[TEXTURE_TARGETS] = {1, 2, 2, 3, 2};
     return find(target, out) && (!dimensions || dimensions == dimensions_of[out->target]);
 }
 
@@ -54,7 +56,7 @@ struct texture_image *fgl_target_image(struct context *ctx, const struct image_t
 
 int fgl_texture_levels(enum texture_target target)
 {
-    return target == TEXTURE_3D ? FGL_MAX_3D_TEXTURE_LEVELS : FGL_MAX_TEXTURE_LEVELS;
+    return target == TEXTURE_RECTANGLE ? 1 : target == TEXTURE_3D ? FGL_MAX_3D_TEXTURE_LEVELS : FGL_MAX_TEXTURE_LEVELS;
 }
 
 void fgl_texture_touch_image(struct context *ctx, const struct texture_object *object)

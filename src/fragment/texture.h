@@ -10,6 +10,7 @@ enum mip_filter { MIP_NONE, MIP_NEAREST, MIP_LINEAR };
 
 struct texture_level {
     int size[3]; /* width, height, depth; 1 where the target has fewer dimensions */
+    float scale[3]; /* from coordinates to texels: the size, but 1 for rectangles */
     const void *texels[TEXTURE_MAX_FACES];
 };
 

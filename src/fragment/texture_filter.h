@@ -47,11 +47,11 @@ static FGL_ALWAYS_INLINE void nearest_packed(const struct texture_level *level, 
                                              uint32_t *FGL_RESTRICT texel)
 {
     int32_t x[FRAGMENT_GROUP], y[FRAGMENT_GROUP], z[FRAGMENT_GROUP];
-    wrap_nearest(at->s[0], level->size[0], wrap[0], x);
+    wrap_nearest(at->s[0], level->size[0], (real)level->scale[0], wrap[0], x);
     if (dimensions > 1)
-        wrap_nearest(at->s[1], level->size[1], wrap[1], y);
+        wrap_nearest(at->s[1], level->size[1], (real)level->scale[1], wrap[1], y);
     if (dimensions > 2)
-        wrap_nearest(at->s[2], level->size[2], wrap[2], z);
+        wrap_nearest(at->s[2], level->size[2], (real)level->scale[2], wrap[2], z);
     fetch_packed(level, at, x, y, z, dimensions, cube, texel);
 }
 
@@ -88,17 +88,17 @@ static FGL_ALWAYS_INLINE void linear_packed(const struct texture_level *level, c
 {
     struct texel_pair axis[3];
     uint32_t front[FRAGMENT_GROUP], back[FRAGMENT_GROUP];
-    wrap_linear_fixed(at->s[0], level->size[0], wrap[0], &axis[0]);
+    wrap_linear_fixed(at->s[0], level->size[0], (real)level->scale[0], wrap[0], &axis[0]);
     if (dimensions == 1) {
         linear_row(level, at, axis, NULL, NULL, 1, false, texel);
         return;
     }
-    wrap_linear_fixed(at->s[1], level->size[1], wrap[1], &axis[1]);
+    wrap_linear_fixed(at->s[1], level->size[1], (real)level->scale[1], wrap[1], &axis[1]);
     if (dimensions == 2) {
         linear_slice(level, at, axis, NULL, 2, cube, texel);
         return;
     }
-    wrap_linear_fixed(at->s[2], level->size[2], wrap[2], &axis[2]);
+    wrap_linear_fixed(at->s[2], level->size[2], (real)level->scale[2], wrap[2], &axis[2]);
     linear_slice(level, at, axis, axis[2].i0, 3, false, front);
     linear_slice(level, at, axis, axis[2].i1, 3, false, back);
     lerp_group(axis[2].weight, front, back, texel);
@@ -124,7 +124,7 @@ PACKED(linear, cube, 2, true)
 typedef void filter_packed_fn(const struct texture_level *level, const struct texture_coords *at, const GLenum wrap[3],
                               uint32_t *FGL_RESTRICT texel);
 static filter_packed_fn *const filter_packed[TEXTURE_TARGETS][2] = {
-        {nearest_1d, linear_1d}, {nearest_2d, linear_2d}, {nearest_3d, linear_3d}, {nearest_cube, linear_cube}};
+        {nearest_1d, linear_1d}, {nearest_2d, linear_2d}, {nearest_2d, linear_2d}, {nearest_3d, linear_3d}, {nearest_cube, linear_cube}};
 
 static FGL_ALWAYS_INLINE void unpack_texels(const uint32_t *texel, real to[4][FRAGMENT_GROUP])
 {
@@ -182,15 +182,15 @@ static inline void wrap_real(const struct sampler *sampler, const struct texture
 {
     struct texel_pair around;
     if (filter == FILTER_LINEAR) {
-        wrap_linear(at->s[k], level->size[k], sampler->wrap[k], to);
+        wrap_linear(at->s[k], level->size[k], (real)level->scale[k], sampler->wrap[k], to);
         return;
     }
-    wrap_nearest(at->s[k], level->size[k], sampler->wrap[k], to->i0);
+    wrap_nearest(at->s[k], level->size[k], (real)level->scale[k], sampler->wrap[k], to->i0);
     memcpy(to->i1, to->i0, sizeof to->i1);
     memset(to->f, 0, sizeof to->f);
     if (!rounded)
         return;
-    wrap_linear(at->s[k], level->size[k], sampler->wrap[k], &around);
+    wrap_linear(at->s[k], level->size[k], (real)level->scale[k], sampler->wrap[k], &around);
     FOR_GROUP(i) to->i0[i] = rounded[i] ? around.i0[i] : to->i0[i];
     FOR_GROUP(i) to->i1[i] = rounded[i] ? around.i1[i] : to->i1[i];
     FOR_GROUP(i) to->f[i] = rounded[i] && around.f[i] > (real)0.5 ? 1 : 0;

@@ -32,7 +32,7 @@ static bool needs_border(GLenum wrap)
 /* OSMesa rules: cube maps are clamped to their edges, and mixed filters with mipmaps need floats there. */
 static void derive_filters(struct sampler *to, const struct texture_parameters *p)
 {
-    static const int dimensions[TEXTURE_TARGETS] = {1, 2, 3, 2};
+    static const int dimensions[TEXTURE_TARGETS] = {1, 2, 2, 3, 2};
     to->min = image_filter(p->min_filter);
     to->mag = image_filter(p->mag_filter);
     to->mip = mip_filter(p->min_filter);
@@ -96,6 +96,8 @@ static void derive_levels(struct sampler *to, const struct texture_object *objec
         to->level[i].size[0] = image->width;
         to->level[i].size[1] = image->height;
         to->level[i].size[2] = image->depth;
+        for (int c = 0; c < 3; c++)
+            to->level[i].scale[c] = object->target == TEXTURE_RECTANGLE ? 1.0f : (float)to->level[i].size[c];
         for (int face = 0; face < fgl_texture_faces(object->target); face++)
             to->level[i].texels[face] = object->image[face][base + i].texels;
     }

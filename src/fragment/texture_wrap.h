@@ -1,6 +1,7 @@
 /* From texture coordinates to texels' indices along one axis (GL 1.5, 3.8.7 "Texture Wrap Modes", 3.8.8, 3.8.9). Kernels only.
  *
- * n is the size of the image along the axis; coordinates are those of GL: an image is [0,1]. Index -1 or n: the border. */
+ * n is the size of the image along the axis, and scale takes coordinates to texels: n where an image is [0,1], 1 for rectangles. Index -1 or
+ * n: the border. */
 #ifndef FGL_FRAGMENT_TEXTURE_WRAP_H
 #define FGL_FRAGMENT_TEXTURE_WRAP_H
 
@@ -48,25 +49,24 @@ static FGL_ALWAYS_INLINE real mirror(real s)
     return r_abs((half - round_even_of(half)) * 2);
 }
 
-static FGL_ALWAYS_INLINE void wrap_nearest(const real *FGL_RESTRICT s, const int n, const GLenum wrap,
+static FGL_ALWAYS_INLINE void wrap_nearest(const real *FGL_RESTRICT s, const int n, const real scale, const GLenum wrap,
                                            int32_t *FGL_RESTRICT index)
 {
-    const real size = (real)n;
     switch (wrap) {
     case GL_REPEAT:
         if (may_mask(n))
-            FOR_GROUP(i) index[i] = to_int(r_floor(s[i] * size)) & (n - 1);
+            FOR_GROUP(i) index[i] = to_int(r_floor(s[i] * scale)) & (n - 1);
         else
-            FOR_GROUP(i) index[i] = to_int(fraction_of(s[i]) * size);
+            FOR_GROUP(i) index[i] = to_int(fraction_of(s[i]) * scale);
         break;
     case GL_MIRRORED_REPEAT:
-        FOR_GROUP(i) index[i] = fgl_min(to_int(mirror(s[i]) * size), n - 1);
+        FOR_GROUP(i) index[i] = fgl_min(to_int(mirror(s[i]) * scale), n - 1);
         break;
     case GL_CLAMP_TO_BORDER:
-        FOR_GROUP(i) index[i] = fgl_clamp(to_int(r_floor(s[i] * size)), -1, n);
+        FOR_GROUP(i) index[i] = fgl_clamp(to_int(r_floor(s[i] * scale)), -1, n);
         break;
     default: /* GL_CLAMP, GL_CLAMP_TO_EDGE */
-        FOR_GROUP(i) index[i] = fgl_clamp(to_int(r_floor(s[i] * size)), 0, n - 1);
+        FOR_GROUP(i) index[i] = fgl_clamp(to_int(r_floor(s[i] * scale)), 0, n - 1);
         break;
     }
 }
@@ -80,14 +80,14 @@ static FGL_ALWAYS_INLINE void split(struct texel_pair *to, int i, real u)
 }
 
 /* GL_REPEAT and GL_CLAMP_TO_EDGE in OSMesa's fixed point of 8 bits. */
-static FGL_ALWAYS_INLINE void wrap_linear_fixed(const real *FGL_RESTRICT s, const int n, const GLenum wrap,
+static FGL_ALWAYS_INLINE void wrap_linear_fixed(const real *FGL_RESTRICT s, const int n, const real scale, const GLenum wrap,
                                                 struct texel_pair *FGL_RESTRICT to)
 {
-    const real size = (real)n * 256;
+    const real fixed = scale * 256;
     const bool repeat = wrap == GL_REPEAT, masked = may_mask(n);
     FOR_GROUP(i) {
         const real folded = repeat && !masked ? fraction_of(s[i]) : s[i];
-        const int32_t u = (int32_t)((uint32_t)to_int(round_even_of(folded * size)) - 128u), at = u >> 8;
+        const int32_t u = (int32_t)((uint32_t)to_int(round_even_of(folded * fixed)) - 128u), at = u >> 8;
         to->weight[i] = u & 255;
         if (repeat && masked) {
             to->i0[i] = at & (n - 1);
@@ -102,37 +102,37 @@ static FGL_ALWAYS_INLINE void wrap_linear_fixed(const real *FGL_RESTRICT s, cons
     }
 }
 
-static FGL_ALWAYS_INLINE void wrap_linear(const real *FGL_RESTRICT s, const int n, const GLenum wrap,
+static FGL_ALWAYS_INLINE void wrap_linear(const real *FGL_RESTRICT s, const int n, const real scale, const GLenum wrap,
                                           struct texel_pair *FGL_RESTRICT to)
 {
     const real size = (real)n, half = (real)0.5;
     switch (wrap) {
     case GL_REPEAT:
         if (may_mask(n)) {
-            FOR_GROUP(i) split(to, i, s[i] * size - half);
+            FOR_GROUP(i) split(to, i, s[i] * scale - half);
             FOR_GROUP(i) to->i1[i] = (to->i0[i] + 1) & (n - 1);
             FOR_GROUP(i) to->i0[i] &= n - 1;
         } else {
-            FOR_GROUP(i) split(to, i, fraction_of(s[i]) * size - half);
+            FOR_GROUP(i) split(to, i, fraction_of(s[i]) * scale - half);
             FOR_GROUP(i) to->i0[i] = to->i0[i] < 0 ? n - 1 : to->i0[i];
             FOR_GROUP(i) to->i1[i] = to->i0[i] + 1 < n ? to->i0[i] + 1 : 0;
         }
         break;
     case GL_MIRRORED_REPEAT:
-        FOR_GROUP(i) split(to, i, mirror(s[i]) * size - half);
+        FOR_GROUP(i) split(to, i, mirror(s[i]) * scale - half);
         FOR_GROUP(i) to->i1[i] = fgl_min(to->i0[i] + 1, n - 1);
         FOR_GROUP(i) to->i0[i] = fgl_max(to->i0[i], 0);
         break;
     case GL_CLAMP_TO_EDGE:
-        FOR_GROUP(i) split(to, i, r_max(r_min(s[i] * size, size) - half, 0));
+        FOR_GROUP(i) split(to, i, r_max(r_min(s[i] * scale, size) - half, 0));
         FOR_GROUP(i) to->i1[i] = fgl_min(to->i0[i] + 1, n - 1);
         break;
     case GL_CLAMP:
-        FOR_GROUP(i) split(to, i, r_max(r_min(s[i] * size, size), 0) - half);
+        FOR_GROUP(i) split(to, i, r_max(r_min(s[i] * scale, size), 0) - half);
         FOR_GROUP(i) to->i1[i] = to->i0[i] + 1;
         break;
     default: /* GL_CLAMP_TO_BORDER */
-        FOR_GROUP(i) split(to, i, r_max(r_min(s[i] * size - half, size), -1));
+        FOR_GROUP(i) split(to, i, r_max(r_min(s[i] * scale - half, size), -1));
         FOR_GROUP(i) to->i1[i] = fgl_min(to->i0[i] + 1, n);
         break;
     }

@@ -82,7 +82,7 @@ static const char *environment_name(const struct texture_environment *e)
 /* Two lines for each unit: the texel, where and in which images it was found, and what the environment made of it. */
 static void texture_lines(struct text *t, const struct fragment_stages *s, const struct fragment_plan *f)
 {
-    static const char *const targets[TEXTURE_TARGETS] = {"1D", "2D", "3D", "cube map"};
+    static const char *const targets[TEXTURE_TARGETS] = {"1D", "2D", "rectangle", "3D", "cube map"};
     for (int i = 0; i < s->textures; i++) {
         const struct texture_trace *trace = &s->texture[i].trace;
         const float texel[4] = {(float)trace->texel[0], (float)trace->texel[1], (float)trace->texel[2], (float)trace->texel[3]};

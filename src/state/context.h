@@ -187,7 +187,7 @@ struct pixel_map {
 
 /* Tables 6.14 to 6.17 "Textures" (GL_TEXTURE_BIT). Targets in order of precedence, lowest first (GL 1.5, 3.8.15
  * "Texture Application"). */
-enum texture_target { TEXTURE_1D, TEXTURE_2D, TEXTURE_3D, TEXTURE_CUBE_MAP, TEXTURE_TARGETS };
+enum texture_target { TEXTURE_1D, TEXTURE_2D, TEXTURE_RECTANGLE, TEXTURE_3D, TEXTURE_CUBE_MAP, TEXTURE_TARGETS };
 
 /* Of a texture object, by glTexParameter. wrap: s, t, r. */
 struct texture_parameters {

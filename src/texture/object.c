@@ -24,6 +24,14 @@ static void init_parameters(struct texture_parameters *p)
     };
 }
 
+/* GL_ARB_texture_rectangle: neither mipmaps nor repetition. */
+static void init_rectangle(struct texture_parameters *p)
+{
+    p->min_filter = GL_LINEAR;
+    for (int i = 0; i < 3; i++)
+        p->wrap[i] = GL_CLAMP_TO_EDGE;
+}
+
 static struct texture_object *create(unsigned name, enum texture_target target)
 {
     struct texture_object *object = calloc(1, sizeof *object);
@@ -32,6 +40,8 @@ static struct texture_object *create(unsigned name, enum texture_target target)
     object->name = name;
     object->target = target;
     init_parameters(&object->parameters);
+    if (target == TEXTURE_RECTANGLE)
+        init_rectangle(&object->parameters);
     atomic_init(&object->references, 1);
     return object;
 }
