@@ -24,6 +24,13 @@
 #define FGL_TLS_FAST
 #endif
 
+/* Before a loop of a few iterations that is to become vectors: Clang would unroll it first. */
+#if defined(__clang__)
+#define FGL_VECTOR_LOOP _Pragma("clang loop unroll(disable)")
+#else
+#define FGL_VECTOR_LOOP
+#endif
+
 #define FGL_COUNTOF(a) (sizeof(a) / sizeof((a)[0]))
 
 static inline int fgl_min(int a, int b) { return a < b ? a : b; }

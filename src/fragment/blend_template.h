@@ -3,7 +3,7 @@
  * type ELEMENT, either the channel's own or the bytes packed in it, for which define MUL(a, b), ADD(a, b) and SUB(a, b). FACTOR_OUT: a
  * factor that source and destination have in common multiplies their sum. Alpha is channel 3. */
 
-#define FOR_ELEMENTS(i) for (int i = 0; i < ELEMENTS; i++)
+#define FOR_ELEMENTS(i) FGL_VECTOR_LOOP for (int i = 0; i < ELEMENTS; i++)
 
 /* The factor of channel c, for each fragment. */
 static inline void T(factor)(GLenum factor, int c, const CHANNEL src[4][FRAGMENT_GROUP],

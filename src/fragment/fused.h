@@ -26,13 +26,16 @@ static FGL_ALWAYS_INLINE bool fused_depth(const struct planes *p, const struct f
                                           int32_t *FGL_RESTRICT live, const enum depth_kind kind, const int n)
 {
     int32_t *FGL_RESTRICT depth = kind != DEPTH_OFF ? row->depth + x : NULL;
+    const struct plane plane = plane_of(p, LANE_Z);
+    const real y = row->y, offset = PLANES(p)->z_offset, depth_max = row->depth_max;
+    const int x0 = row->x0, x1 = row->x1;
     int32_t any = 0;
-    for (int i = 0; i < n; i++) {
-        const int32_t inside = -((x + i >= row->x0) & (x + i < row->x1));
+    FGL_VECTOR_LOOP for (int i = 0; i < n; i++) {
+        const int32_t inside = -((x + i >= x0) & (x + i < x1));
         int32_t pass = inside;
         if (kind != DEPTH_OFF) {
-            const real z = plane_at(p, LANE_Z, (real)(x + i), row->y) + PLANES(p)->z_offset;
-            const int32_t new_depth = depth_from_z(z, row->depth_max), old_depth = depth[i];
+            const real z = value_at(plane, (real)(x + i), y) + offset;
+            const int32_t new_depth = depth_from_z(z, depth_max), old_depth = depth[i];
             pass &= -(kind == DEPTH_LESS ? new_depth < old_depth : new_depth <= old_depth);
             depth[i] = pass ? new_depth : old_depth;
         }
@@ -47,13 +50,15 @@ static FGL_ALWAYS_INLINE void fused_color(const struct planes *p, const struct f
 {
     uint32_t *FGL_RESTRICT color = row->color + x;
     const uint32_t *FGL_RESTRICT image = source == COLOR_IMAGE ? row->image + x : NULL;
-    for (int i = 0; i < FUSED_GROUP; i++) {
-        uint32_t c = source == COLOR_IMAGE ? image[i] : row->flat_color;
+    const struct plane oow = plane_of(p, LANE_OOW), r = plane_of(p, LANE_COLOR), g = plane_of(p, LANE_COLOR + 1),
+                       b = plane_of(p, LANE_COLOR + 2), a = plane_of(p, LANE_COLOR + 3);
+    const real y = row->y;
+    const uint32_t flat = row->flat_color;
+    FGL_VECTOR_LOOP for (int i = 0; i < FUSED_GROUP; i++) {
+        uint32_t c = source == COLOR_IMAGE ? image[i] : flat;
         if (source == COLOR_SMOOTH) {
-            const real fx = (real)(x + i), w = 1 / plane_at(p, LANE_OOW, fx, row->y);
-            c = pack_unorm8(
-                    plane_at(p, LANE_COLOR + 0, fx, row->y) * w, plane_at(p, LANE_COLOR + 1, fx, row->y) * w,
-                    plane_at(p, LANE_COLOR + 2, fx, row->y) * w, plane_at(p, LANE_COLOR + 3, fx, row->y) * w);
+            const real fx = (real)(x + i), w = 1 / value_at(oow, fx, y);
+            c = pack_unorm8(value_at(r, fx, y) * w, value_at(g, fx, y) * w, value_at(b, fx, y) * w, value_at(a, fx, y) * w);
         }
         color[i] = live[i] ? c : color[i];
     }

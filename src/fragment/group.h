@@ -27,9 +27,24 @@ enum { FRAGMENT_GROUP = 8, FUSED_GROUP = 8 };
 #define FOG_NUMBERS(plan) (&(plan)->fog)
 #endif
 
+/* One plane by value: in loops that write memory, a compiler that does not know it apart from the planes would load it again. */
+struct plane {
+    real a00, dadx, dady;
+};
+
+static FGL_ALWAYS_INLINE struct plane plane_of(const struct planes *p, int lane)
+{
+    return (struct plane){PLANES(p)->a00[lane], PLANES(p)->dadx[lane], PLANES(p)->dady[lane]};
+}
+
+static FGL_ALWAYS_INLINE real value_at(struct plane plane, real x, real y)
+{
+    return r_fma(plane.dady, y, r_fma(plane.dadx, x, plane.a00));
+}
+
 static FGL_ALWAYS_INLINE real plane_at(const struct planes *p, int lane, real x, real y)
 {
-    return r_fma(PLANES(p)->dady[lane], y, r_fma(PLANES(p)->dadx[lane], x, PLANES(p)->a00[lane]));
+    return value_at(plane_of(p, lane), x, y);
 }
 
 /* Window z to the depth buffer's integer: round half to even of z * (2^bits - 1), OSMesa's in float arithmetic. */

@@ -16,7 +16,7 @@ struct fragments {
     real fy;
 };
 
-#define FOR_GROUP(i) for (int i = 0; i < FRAGMENT_GROUP; i++)
+#define FOR_GROUP(i) FGL_VECTOR_LOOP for (int i = 0; i < FRAGMENT_GROUP; i++)
 
 static inline bool any_live(const struct fragments *f)
 {

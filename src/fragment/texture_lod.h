@@ -58,7 +58,7 @@ static FGL_ALWAYS_INLINE void coordinates_of_row(const struct texture_stage *sta
 }
 
 enum { QUADS = FRAGMENT_GROUP / 2 }; /* squares of 2 x 2 pixels of which a group is a row */
-#define FOR_QUADS(k) for (int k = 0; k < QUADS; k++)
+#define FOR_QUADS(k) FGL_VECTOR_LOOP for (int k = 0; k < QUADS; k++)
 
 static FGL_ALWAYS_INLINE void add_squares(const real *to, const real *from, real n, real sum[QUADS])
 {
