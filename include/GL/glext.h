@@ -698,6 +698,7 @@ typedef void (APIENTRYP PFNGLPOINTPARAMETERFVARBPROC)(GLenum pname, const GLfloa
 #define GL_POINT_FADE_THRESHOLD_SIZE_EXT          0x8128
 #define GL_DISTANCE_ATTENUATION_EXT               0x8129
 #ifdef GL_GLEXT_PROTOTYPES
+/* As glPointParameterf. */
 GLAPI void GLAPIENTRY glPointParameterfEXT(GLenum pname, GLfloat param);
 GLAPI void GLAPIENTRY glPointParameterfvEXT(GLenum pname, const GLfloat *params);
 #endif
@@ -1802,8 +1803,8 @@ typedef void (APIENTRYP PFNGLTEXSUBIMAGE3DEXTPROC)(GLenum target, GLint level, G
 #define GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE              0x8D56
 
 #ifdef GL_GLEXT_PROTOTYPES
-GLAPI GLboolean GLAPIENTRY glIsRenderbuffer(GLuint renderbuffer);
 /* As in GL_EXT_framebuffer_object. */
+GLAPI GLboolean GLAPIENTRY glIsRenderbuffer(GLuint renderbuffer);
 GLAPI void GLAPIENTRY glBindRenderbuffer(GLenum target, GLuint renderbuffer);
 GLAPI void GLAPIENTRY glDeleteRenderbuffers(GLsizei n, const GLuint *renderbuffers);
 GLAPI void GLAPIENTRY glGenRenderbuffers(GLsizei n, GLuint *renderbuffers);

@@ -96,6 +96,8 @@ void fgl_list_replay_vertices(struct context *ctx, void *payload)
     fgl_format_source(&c->format, c->vertex, &source);
     source.compiled = true;
     fgl_draw(ctx, &source, prims, c->prim_count, NULL, 0, (uint32_t)c->count - 1);
-    if (!c->keeps_current)
+    if (!c->keeps_current) {
+        fgl_flush_all(ctx); /* what was set before the list must not come back */
         fgl_format_to_current(ctx, &c->format, c->last);
+    }
 }

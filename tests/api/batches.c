@@ -217,6 +217,27 @@ static void attribute_stacks(void **state)
     TEST_END
 }
 
+/* The colour that a list sets last is the current one, whatever was current before it. OSMesa agrees. */
+static void lists_leave_their_last_color(void **state)
+{
+    (void)state;
+    glNewList(1, GL_COMPILE);
+    glColor3f(1, 0, 0);
+    glBegin(GL_POINTS);
+    glVertex2f(0, 0);
+    glColor3f(0, 1, 0);
+    glVertex2f(0.5f, 0);
+    glEnd();
+    glEndList();
+    glCallList(1);
+    glBegin(GL_POINTS);
+    glVertex2f(-0.5f, -0.5f);
+    glEnd();
+    EXPECT_VALUES(GL_CURRENT_COLOR, 0, 1, 0, 1);
+    glFinish();
+    assert_memory_equal(picture + 4 * (TEST_SIZE / 4 * TEST_SIZE + TEST_SIZE / 4), "\0\xff\0\xff", 4);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -228,6 +249,7 @@ int main(void)
             GL_TEST(queries_and_errors),
             GL_TEST(matrices),
             GL_TEST(attribute_stacks),
+            GL_TEST(lists_leave_their_last_color),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

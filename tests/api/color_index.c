@@ -1033,12 +1033,6 @@ static void polygon_modes(void **state)
     EXPECT_PIXEL(35, 30, 0);
 }
 
-static void explaining(void **state)
-{
-    (void)state;
-    EXPECT_ERROR(GL_INVALID_OPERATION, fixedglExplainPixel(3, 3)); /* RGBA mode only */
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -1051,7 +1045,6 @@ int main(void)
             INDEX_TEST(stipples),         INDEX_TEST(antialiasing),     INDEX_TEST(draw_pixels),
             INDEX_TEST(read_and_copy),    INDEX_TEST(bitmaps),          INDEX_TEST(feedback),
             INDEX_TEST(selection),        INDEX_TEST(evaluators),       INDEX_TEST(lists_and_attributes),
-            INDEX_TEST(textures),         INDEX_TEST(polygon_modes),    INDEX_TEST(explaining),
-    };
+            INDEX_TEST(textures),         INDEX_TEST(polygon_modes),    };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -324,8 +324,9 @@ static double clamp01(double x)
     return fmin(fmax(x, 0), 1);
 }
 
-/* From the interpolated data to the colour that is written. */
-static void shade(const struct scene *s, bool back, struct test_fragment *f, double color[4])
+/* From the interpolated data to the colour that is written. OSMesa rule: but in exact mode, the colour sum is not clamped before
+ * fog. */
+static void shade(const struct scene *s, bool back, bool exact, struct test_fragment *f, double color[4])
 {
     const int face = s->two_side && back;
     const struct test_material *m = &s->material[face];
@@ -344,7 +345,9 @@ static void shade(const struct scene *s, bool back, struct test_fragment *f, dou
             color[c] *= texel[c] / 255.0;
         if (s->separate)
             color[c] = color[c] + clamp01(f->specular_sum[c]);
-        if (s->fog) { /* OSMesa rule: the sum is not clamped before */
+        if (exact)
+            color[c] = clamp01(color[c]);
+        if (s->fog) {
             const double keep = clamp01((9 + f->eye[2]) / 8);
             color[c] = keep * color[c] + (1 - keep) * s->fog_color[c];
         }
@@ -413,7 +416,7 @@ static void compare_triangle(struct scene *s, bool exact, struct score *score)
             bool back;
             if (!interpolate(s, x + 0.5, y + 0.5, &f, &back))
                 continue;
-            shade(s, back, &f, color);
+            shade(s, back, exact, &f, color);
             if (!f.at_jump)
                 compare(color, picture[y][x], exact, score);
         }
@@ -485,7 +488,7 @@ static void vertices(int accuracy, const char *what)
         memcpy(f.color, s.vertex[0].color, sizeof f.color);
         memcpy(f.specular, s.vertex[0].specular, sizeof f.specular);
         unit(f.normal);
-        shade(&s, false, &f, color);
+        shade(&s, false, true, &f, color); /* without fog */
         if (!f.at_jump)
             compare(color, picture[SIZE / 2][SIZE / 2], accuracy == FIXEDGL_EXACT, &score);
         OSMesaDestroyContext(context);
