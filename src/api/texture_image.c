@@ -29,11 +29,11 @@ static bool size_fits(const struct texture_call *call, enum texture_target targe
     return size - 2 * call->border <= 1 << (levels - 1 - call->level);
 }
 
-/* OSMesa rule: images of more than 2^30 bytes are refused. */
-static bool is_beyond_memory(const struct texture_call *call)
+/* OSMesa rule: images of more than 2^31 bytes, the faces of a cube map together, are refused. */
+static bool is_beyond_memory(const struct texture_call *call, enum texture_target target)
 {
-    const double texel_bytes = (double)fgl_texel_bytes(fgl_texture_format((GLenum)call->internal_format)->kind), most = 1 << 30;
-    return texel_bytes * call->width * fgl_max(call->height, 1) * fgl_max(call->depth, 1) > most;
+    const double texel_bytes = (double)fgl_texel_bytes(fgl_texture_format((GLenum)call->internal_format)->kind), most = 0x1p31;
+    return texel_bytes * fgl_texture_faces(target) * call->width * fgl_max(call->height, 1) * fgl_max(call->depth, 1) > most;
 }
 
 GLenum fgl_texture_define_error(const struct texture_call *call, const struct image_target *t, bool *too_large)
@@ -51,7 +51,7 @@ GLenum fgl_texture_define_error(const struct texture_call *call, const struct im
         return GL_INVALID_VALUE;
     *too_large = !size_fits(call, t->target, call->width) || (call->dimensions > 1 && !size_fits(call, t->target, call->height)) ||
                  (call->dimensions > 2 && !size_fits(call, t->target, call->depth));
-    *too_large |= t->proxy && is_beyond_memory(call);
+    *too_large |= t->proxy && is_beyond_memory(call, t->target);
     return *too_large && !t->proxy ? GL_INVALID_VALUE : GL_NO_ERROR;
 }
 
@@ -147,7 +147,7 @@ static void execute_image(struct context *ctx, const struct texture_call *call, 
         fgl_texture_image_clear(fgl_target_image(ctx, &t, call->level));
         return;
     }
-    RETURN_ERROR_IF(ctx, !t.proxy && is_beyond_memory(call), GL_OUT_OF_MEMORY);
+    RETURN_ERROR_IF(ctx, !t.proxy && is_beyond_memory(call, t.target), GL_OUT_OF_MEMORY);
     if (!t.proxy && !find_pixels(ctx, call, source))
         return;
     if (!fgl_texture_define(ctx, call, &t) || t.proxy)
