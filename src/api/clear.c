@@ -7,6 +7,8 @@
 #include "pipeline/pipeline.h"
 #include "raster/raster.h"
 
+#include <math.h>
+
 /* OSMesa rules: a part of the framebuffer is cleared by drawing it, a part of the channels too, and depth together with a part of the
  * stencil's bits. */
 struct drawn {
@@ -20,6 +22,17 @@ static struct drawn drawn_buffers(const struct context *ctx, GLbitfield mask, co
     const bool part = r->x0 > 0 || r->y0 > 0 || r->x1 < fb->width || r->y1 < fb->height;
     const bool stencil = fb->stencil_bits && (mask & GL_STENCIL_BUFFER_BIT) && (ctx->s.stencil.stencil_writemask & 255) != 255;
     return (struct drawn){part || !(write[0] && write[1] && write[2] && (write[3] || !fb->has_alpha)), part || stencil};
+}
+
+/* OSMesa rule: the colour of a clear that is not drawn is rounded to an image of few bits, what is drawn is cut off. */
+static void clear_color(struct framebuffer *fb, struct rect r, const struct color_buffer_state *c, bool drawn)
+{
+    float color[4];
+    for (int i = 0; i < 4; i++) {
+        const float max = (float)((1u << fb->image_bits[i]) - 1), v = c->color_clear_value[i];
+        color[i] = drawn || !fb->image_bits[i] ? v : floorf(fgl_clamp01(v) * max + 0.5f) / max;
+    }
+    fgl_clear_color(fb, r, color, c->color_writemask, drawn);
 }
 
 void fgl_exec_Clear(struct context *ctx, GLbitfield mask)
@@ -40,7 +53,7 @@ void fgl_exec_Clear(struct context *ctx, GLbitfield mask)
         if (ctx->color_index)
             fgl_clear_index(fb, r, c->index_clear_value, c->index_writemask);
         else
-            fgl_clear_color(fb, r, c->color_clear_value, c->color_writemask, drawn.color);
+            clear_color(fb, r, c, drawn.color);
     }
     if ((mask & GL_DEPTH_BUFFER_BIT) && ctx->s.depth.depth_writemask)
         fgl_clear_depth(fb, r, ctx->s.depth.depth_clear_value, drawn.depth);

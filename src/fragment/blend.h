@@ -20,6 +20,17 @@ static FGL_ALWAYS_INLINE uint32_t word_mul(uint32_t a, uint32_t b)
     return (t + (t >> 16) + 32768) >> 16;
 }
 
+/* OSMesa rule: images of one component are blended so, where the factors are a number and its complement. */
+static FGL_ALWAYS_INLINE uint8_t byte_lerp(uint8_t a, uint8_t b, uint8_t f)
+{
+    return (uint8_t)(b + (((a - b) * (f + (f >> 7)) + 128) >> 8));
+}
+
+static FGL_ALWAYS_INLINE uint32_t word_lerp(uint32_t a, uint32_t b, uint32_t f)
+{
+    return (b + (uint32_t)((((int64_t)a - b) * (f + (f >> 15))) >> 16)) & 65535; /* here the product is cut */
+}
+
 static FGL_ALWAYS_INLINE uint32_t saturating_add(uint32_t a, uint32_t b, uint32_t max)
 {
     return a + b < max ? a + b : max;
@@ -32,6 +43,7 @@ static FGL_ALWAYS_INLINE uint32_t saturating_add(uint32_t a, uint32_t b, uint32_
 #define FACTOR_OUT 0
 #define T(name) byte_##name
 #define MUL(a, b) byte_mul(a, b)
+#define LERP(a, b, f) byte_lerp(a, b, f)
 #define COMPLEMENT(a) (~(a))
 #define ADD(a, b) ((uint16_t)((a) + (b)) < 255 ? (uint16_t)((a) + (b)) : 255)
 #define SUB(a, b) ((a) > (b) ? (a) - (b) : 0)
@@ -44,6 +56,7 @@ static FGL_ALWAYS_INLINE uint32_t saturating_add(uint32_t a, uint32_t b, uint32_
 #define FACTOR_OUT 0
 #define T(name) word_##name
 #define MUL(a, b) word_mul(a, b)
+#define LERP(a, b, f) word_lerp(a, b, f)
 #define COMPLEMENT(a) (max - (a))
 #define ADD(a, b) saturating_add(a, b, max)
 #define SUB(a, b) ((a) > (b) ? (a) - (b) : 0)
@@ -56,6 +69,7 @@ static FGL_ALWAYS_INLINE uint32_t saturating_add(uint32_t a, uint32_t b, uint32_
 #define FACTOR_OUT 1
 #define T(name) real_##name
 #define MUL(a, b) ((a) * (b))
+#define LERP(a, b, f) ((f) * (a) + (max - (f)) * (b)) /* images of floats are not drawn to */
 #define COMPLEMENT(a) (max - (a))
 #define ADD(a, b) ((a) + (b))
 #define SUB(a, b) ((a) - (b))
@@ -99,7 +113,7 @@ static inline bool blends_alpha_apart(const struct color_buffer_state *s)
            s->blend_dst_rgb != s->blend_dst_alpha || s->blend_src_rgb == GL_SRC_ALPHA_SATURATE;
 }
 
-static inline void blend_packed(const struct color_buffer_state *s, uint32_t *FGL_RESTRICT src, const uint32_t *FGL_RESTRICT dst)
+static inline void blend_packed(const struct color_buffer_state *s, bool lerp, uint32_t *FGL_RESTRICT src, const uint32_t *FGL_RESTRICT dst)
 {
     uint32_t a[4][FRAGMENT_GROUP], b[4][FRAGMENT_GROUP], result[FRAGMENT_GROUP];
     const uint32_t color = pack_unorm8((real)s->blend_color[0], (real)s->blend_color[1], (real)s->blend_color[2],
@@ -109,11 +123,19 @@ static inline void blend_packed(const struct color_buffer_state *s, uint32_t *FG
     FOR_GROUP(i) b[0][i] = dst[i];
     FOR_GROUP(i) a[3][i] = (src[i] >> 24) * each;
     FOR_GROUP(i) b[3][i] = (dst[i] >> 24) * each;
-    byte_blend_channel(s, 0, a, b, constant, ~0u, src);
+    byte_blend_channel(s, lerp, 0, a, b, constant, ~0u, src);
     if (!blends_alpha_apart(s))
         return;
-    byte_blend_channel(s, 3, a, b, constant, ~0u, result);
+    byte_blend_channel(s, lerp, 3, a, b, constant, ~0u, result);
     FOR_GROUP(i) src[i] = (src[i] & ~alpha) | (result[i] & alpha);
+}
+
+/* OSMesa rule: blending is done with 8 bits, but what was stored has kept no more than the image has. */
+static FGL_NOINLINE void round_stored(const struct framebuffer *fb, uint32_t *FGL_RESTRICT dst)
+{
+    FOR_GROUP(i)
+        dst[i] = fb->rounded[0][dst[i] & 255] | (uint32_t)fb->rounded[1][dst[i] >> 8 & 255] << 8 |
+                 (uint32_t)fb->rounded[2][dst[i] >> 16 & 255] << 16 | (uint32_t)fb->rounded[3][dst[i] >> 24] << 24;
 }
 
 /* UNORM8, 565. */
@@ -122,9 +144,11 @@ static inline void write_packed(const struct fragments *f, const struct fragment
     const struct color_buffer_state *s = &plan->color_buffer;
     uint32_t src[FRAGMENT_GROUP], dst[FRAGMENT_GROUP];
     load_packed(plan->fb, f->row, f->x, dst);
+    if (FGL_UNLIKELY(plan->fb->rounds))
+        round_stored(plan->fb, dst);
     FOR_GROUP(i) src[i] = pack_unorm8(f->color[0][i], f->color[1][i], f->color[2][i], f->color[3][i]);
     if (plan->blend)
-        blend_packed(s, src, dst);
+        blend_packed(s, plan->blend_lerp, src, dst);
     else if (plan->logic_op)
         logic_op(s->logic_op_mode, src, dst, ~0u);
     FOR_GROUP(i) {
@@ -147,7 +171,7 @@ static inline void write_words(const struct fragments *f, const struct fragment_
     for (int c = 0; c < 4; c++) {
         const int32_t write = -(int32_t)plan->channel_write[c];
         if (plan->blend)
-            word_blend_channel(s, c, src, dst, constant, max, out[c]);
+            word_blend_channel(s, plan->blend_lerp, c, src, dst, constant, max, out[c]);
         else
             memcpy(out[c], src[c], sizeof out[c]);
         if (plan->logic_op)
@@ -166,7 +190,7 @@ static inline void write_float(const struct fragments *f, const struct fragment_
     for (int c = 0; c < 4; c++) {
         const int32_t write = -(int32_t)plan->channel_write[c];
         if (plan->blend)
-            real_blend_channel(&plan->color_buffer, c, f->color, dst, constant, 1, out[c]);
+            real_blend_channel(&plan->color_buffer, false, c, f->color, dst, constant, 1, out[c]);
         else
             memcpy(out[c], f->color[c], sizeof out[c]);
         FOR_GROUP(i) out[c][i] = f->live[i] & write ? out[c][i] : dst[c][i];

@@ -1,6 +1,7 @@
 /* Blending (GL 1.5, 4.1.8 "Blending") for one type of channel. Before each inclusion define CHANNEL, the type, T(name), which makes the
  * names below its own, and COMPLEMENT(a) = 1 - a; `max` is the value of 1.0. A group is computed with as an array of ELEMENTS numbers of
- * type ELEMENT, either the channel's own or the bytes packed in it, for which define MUL(a, b), ADD(a, b) and SUB(a, b). FACTOR_OUT: a
+ * type ELEMENT, either the channel's own or the bytes packed in it, for which define MUL(a, b), ADD(a, b), SUB(a, b) and LERP(a, b, f), which is
+ * f a + (1 - f) b. FACTOR_OUT: a
  * factor that source and destination have in common multiplies their sum. Alpha is channel 3. */
 
 #define FOR_ELEMENTS(i) FGL_VECTOR_LOOP for (int i = 0; i < ELEMENTS; i++)
@@ -38,7 +39,7 @@ static inline void T(factor)(GLenum factor, int c, const CHANNEL src[4][FRAGMENT
 
 /* One channel of the blend equation. A function of its own: GCC unrolls loops inside of another loop before it can make vectors of
  * them. */
-static FGL_NOINLINE void T(blend_channel)(const struct color_buffer_state *s, int c, const CHANNEL src[4][FRAGMENT_GROUP],
+static FGL_NOINLINE void T(blend_channel)(const struct color_buffer_state *s, bool lerp, int c, const CHANNEL src[4][FRAGMENT_GROUP],
                                           const CHANNEL dst[4][FRAGMENT_GROUP], const CHANNEL constant[4], CHANNEL max,
                                           CHANNEL *FGL_RESTRICT result)
 {
@@ -67,7 +68,9 @@ static FGL_NOINLINE void T(blend_channel)(const struct color_buffer_state *s, in
         return;
     }
 #endif
-    if (equation == GL_FUNC_ADD)
+    if (lerp)
+        FOR_ELEMENTS(i) out[i] = (ELEMENT)LERP(a[i], b[i], fa[i]);
+    else if (equation == GL_FUNC_ADD)
         FOR_ELEMENTS(i) out[i] = (ELEMENT)ADD(MUL(a[i], fa[i]), MUL(b[i], fb[i]));
     else if (equation == GL_FUNC_SUBTRACT)
         FOR_ELEMENTS(i) out[i] = (ELEMENT)SUB(MUL(a[i], fa[i]), MUL(b[i], fb[i]));
@@ -81,6 +84,7 @@ static FGL_NOINLINE void T(blend_channel)(const struct color_buffer_state *s, in
 #undef FACTOR_OUT
 #undef T
 #undef MUL
+#undef LERP
 #undef COMPLEMENT
 #undef ADD
 #undef SUB

@@ -153,6 +153,7 @@ struct fragment_plan {
     float fog_color[4];
 
     bool alpha_test, depth_test, depth_write, stencil_test, blend, logic_op, color_write;
+    bool blend_lerp; /* OSMesa rule for images of one component: products are not rounded one by one */
     bool channel_write[4];
     uint32_t write_bits; /* the same for COLOR_UNORM8: bits of a pixel */
     struct color_buffer_state color_buffer;

@@ -47,6 +47,20 @@ static void choose_fused(struct fragment_plan *plan)
     plan->scatter = staged ? NULL : kernels->scatter[depth][plan->color_source];
 }
 
+/* Whether the second factor is 1 minus the first, or the other way round. */
+static bool are_complements(GLenum a, GLenum b)
+{
+    const GLenum low = a < b ? a : b, high = a < b ? b : a;
+    const bool pair = (low >= GL_SRC_COLOR && low <= GL_DST_COLOR && low % 2 == 0) || low == GL_CONSTANT_COLOR || low == GL_CONSTANT_ALPHA;
+    return pair && high == low + 1;
+}
+
+static bool blends_by_lerp(const struct color_buffer_state *s)
+{
+    return s->blend_equation[0] == GL_FUNC_ADD && s->blend_equation[1] == GL_FUNC_ADD && are_complements(s->blend_src_rgb, s->blend_dst_rgb) &&
+           are_complements(s->blend_src_alpha, s->blend_dst_alpha);
+}
+
 /* Colour index mode: neither colour sum nor alpha test nor blending (GL 1.5, 3.9, 4.1.4, 4.1.8), a logical
  * operation and a write mask of its own (4.1.10, 4.2.2). */
 static void validate_index(struct fragment_plan *plan, const struct color_buffer_state *color)
@@ -91,6 +105,7 @@ void fgl_fragment_validate(struct fragment_plan *plan, const struct server_state
     plan->stencil_test = s->stencil.stencil_test && fgl_framebuffer_need_stencil(fb) && fb->stencil;
     plan->logic_op = color->color_logic_op;
     plan->blend = color->blend && !plan->logic_op; /* GL 1.5, 4.1.10: a logical operation replaces blending */
+    plan->blend_lerp = plan->blend && fb->one_component && blends_by_lerp(color);
     plan->write_bits = 0;
     for (int i = 0; i < 4; i++) {
         plan->channel_write[i] = color->color_writemask[i] && color->draw_buffer != GL_NONE;

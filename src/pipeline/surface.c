@@ -22,7 +22,8 @@ bool fgl_surface_is_plain(const struct texture_image *image)
 /* GL 1.5, 4.1.8: without alpha it reads as 1. */
 static bool stores_alpha(const struct texture_image *image)
 {
-    return image->format->base_format != GL_RGB && image->format->base_format != GL_LUMINANCE;
+    const GLenum base = image->format->base_format;
+    return base == GL_ALPHA || base == GL_LUMINANCE_ALPHA || base == GL_RGBA;
 }
 
 /* The first pixel of the framebuffer's row in which row y of an image is. */
@@ -154,6 +155,26 @@ static uint8_t *stencil_row(const struct surface *s, int y)
 
 /* ---- all of it ---- */
 
+/* What an image of the format keeps of bytes, by storing all of them. */
+static void find_rounding(struct framebuffer *fb, const struct texture_image *color)
+{
+    uint8_t texels[256][4];
+    float byte[TEXTURE_RUN];
+    const float *const planes[4] = {byte, byte, byte, byte};
+    for (int c = 0; c < 4; c++)
+        fb->image_bits[c] = color && color->format->bits[c] < (color->kind == TEXELS_FLOAT ? 16 : 8) ? (uint8_t)color->format->bits[c] : 0;
+    fb->rounds = color && color->kind == TEXELS_UNORM8 && !fgl_texture_format_keeps_bytes(color->format);
+    if (!fb->rounds)
+        return;
+    struct texture_image all = {.width = 256, .height = 1, .depth = 1, .format = color->format, .kind = color->kind, .texels = texels};
+    for (int i = 0; i < 256; i++)
+        byte[i] = (float)i * (1.0f / 255.0f);
+    fgl_texture_store_color(&all, 0, 0, 0, 256, planes, ROUND_DRAWN);
+    for (int c = 0; c < 4; c++)
+        for (int i = 0; i < 256; i++)
+            fb->rounded[c][i] = texels[i][c];
+}
+
 /* Empty planes that fit the surfaces. */
 static bool make_planes(struct framebuffer *fb, int width, int height, const struct surface *color, const struct surface *depth,
                         const struct surface *stencil, enum color_kind kind)
@@ -166,6 +187,9 @@ static bool make_planes(struct framebuffer *fb, int width, int height, const str
     fb->depth_max = (uint32_t)((1ull << depth_bits) - 1);
     fb->stencil_bits = stencil_bits;
     fb->has_alpha = !color->image || stores_alpha(color->image);
+    const GLenum base = color->image ? color->image->format->base_format : GL_NONE;
+    fb->one_component = base == GL_ALPHA || base == GL_LUMINANCE || base == GL_INTENSITY || base == GL_RED;
+    find_rounding(fb, color->image);
     return fgl_framebuffer_resize(fb, width, height, kind) && fgl_framebuffer_need_stencil(fb);
 }
 

@@ -102,12 +102,13 @@ static void store_channel(struct texture_image *image, size_t first, int c, int 
     }
 }
 
-/* As what is drawn: formats of 5 bits are cut from bytes. Those of 3 bits are nearly so: OSMesa differs in a few of 100. */
+/* As what is drawn: formats of 5 bits are cut from bytes, of 10 from words. Those of 3 bits are nearly so: OSMesa differs in a few of 100. */
 static uint32_t round_drawn(const struct texture_format *format, float v, int bits)
 {
     switch (format->bits[0]) {
     case 3: return (quantise(v, 8) * fgl_unorm_max(bits) + 128) >> 8;
     case 5: return quantise(v, 8) >> (8 - bits);
+    case 10: return quantise(v, 16) >> (16 - bits);
     default: return half_to_even(v, bits);
     }
 }

@@ -29,7 +29,7 @@ static inline size_t fgl_texel_index(const struct texture_image *image, int x, i
 enum texel_rounding {
     ROUND_GIVEN,         /* as pixels of programs: half up, but half to even for bytes */
     ROUND_THROUGH_BYTES, /* to bytes, which then get more or fewer bits */
-    ROUND_DRAWN          /* as what is drawn: half to even; but 5 bits, and the 6 or 1 beside them, are cut from bytes */
+    ROUND_DRAWN          /* as what is drawn: half to even; but 5 bits, and the 6 or 1 beside them, are cut from bytes, 10 and 2 from words */
 };
 
 /* n texels of a format that keeps bytes, from pixels `step` bytes apart. place: which byte of a pixel red, green, blue and alpha are; -1: none,

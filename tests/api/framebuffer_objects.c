@@ -244,6 +244,36 @@ static void srgb_images_are_drawn_to(void **state)
     assert_true(got[0] == 8 && got[1] == 34 && got[2] == 81 && got[3] == 204); /* 0.2, 0.4, 0.6 by the curve */
 }
 
+/* The red of an image that was cleared to one colour, on which another was blended. */
+static int blended_red(GLenum internal_format, float cleared, float red, float alpha, GLenum source, GLenum destination)
+{
+    GLubyte got[4] = {0};
+    const GLuint texture = texture_of(internal_format, GL_RGBA);
+    bind_new_framebuffer();
+    attach_texture(GL_COLOR_ATTACHMENT0, texture);
+    glClearColor(cleared, cleared, cleared, cleared);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glEnable(GL_BLEND);
+    glBlendFunc(source, destination);
+    glColor4f(red, red, red, alpha);
+    glRectf(-1, -1, 1, 1);
+    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, got);
+    return got[0];
+}
+
+/* OSMesa rules: one component is blended with one rounding; a clear is rounded to 5 bits, what is drawn is cut off; formats without
+ * alpha have 1. */
+static void blending_depends_on_the_format(void **state)
+{
+    (void)state;
+    assert_int_equal(blended_red(GL_RGBA8, 0.2f, 0.5f, 0.7f, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA), 104);
+    assert_int_equal(blended_red(GL_R8, 0.2f, 0.5f, 0.7f, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA), 105);
+    assert_int_equal(blended_red(GL_LUMINANCE8, 0.2f, 0.5f, 0.7f, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA), 105);
+    assert_int_equal(blended_red(GL_RGB5, 0.47f, 0.02f, 1, GL_ONE, GL_ONE), 132);
+    assert_int_equal(blended_red(GL_RG8, 0.2f, 0.6f, 0.7f, GL_DST_ALPHA, GL_ZERO), 153);
+    assert_int_equal(blended_red(GL_INTENSITY8, 0.2f, 0.6f, 0.7f, GL_DST_ALPHA, GL_ZERO), 153);
+}
+
 static void completeness_depends_on_attachments(void **state)
 {
     (void)state;
@@ -458,6 +488,7 @@ int main(void)
             GL_TEST(the_window_has_attachments_of_its_own),
             GL_TEST(all_attachments_have_as_many_samples),
             GL_TEST(srgb_images_are_drawn_to),
+            GL_TEST(blending_depends_on_the_format),
             GL_TEST(completeness_depends_on_attachments), GL_TEST(drawing_goes_to_the_texture),
             GL_TEST(texels_are_seen_while_they_are_drawn_to), GL_TEST(two_framebuffers_share_a_renderbuffer),
             GL_TEST(stencil_is_kept),                  GL_TEST(depth_alone_can_be_drawn),
