@@ -1646,6 +1646,10 @@ typedef void (APIENTRYP PFNGLTEXSUBIMAGE3DEXTPROC)(GLenum target, GLint level, G
 #define GL_COMPRESSED_SRGB_ALPHA_EXT               0x8C49
 #define GL_COMPRESSED_SLUMINANCE_EXT               0x8C4A
 #define GL_COMPRESSED_SLUMINANCE_ALPHA_EXT         0x8C4B
+#define GL_COMPRESSED_SRGB_S3TC_DXT1_EXT           0x8C4C /* these four go with a compression that is not offered */
+#define GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT     0x8C4D
+#define GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT     0x8C4E
+#define GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT     0x8C4F
 #endif
 
 /* Textures and pixels of three floats without sign in 32 bits: 11, 11 and 10 of them. */

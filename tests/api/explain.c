@@ -438,6 +438,37 @@ static void explained_is_drawn(void **state)
     assert_int_equal(glGetError(), GL_NO_ERROR);
 }
 
+/* Which part of glBegin .. glEnd made a pixel: the second triangle, line, quad, ... of each mode. */
+static void parts_are_numbered(void **state)
+{
+    static const struct {
+        GLenum mode;
+        int vertices, x, y; /* a pixel of the last part */
+        int number;
+    } rows[] = {{GL_POINTS, 2, 48, 16, 1},        {GL_LINES, 4, 32, 48, 1},         {GL_LINE_STRIP, 3, 32, 32, 1},
+                {GL_LINE_LOOP, 3, 16, 32, 2},     {GL_TRIANGLES, 6, 40, 40, 1},     {GL_TRIANGLE_STRIP, 4, 40, 40, 1},
+                {GL_TRIANGLE_FAN, 4, 36, 40, 1}};
+    static const float triangle_strip[4][2] = {{-0.5f, -0.5f}, {0.5f, -0.5f}, {-0.5f, 0.5f}, {0.5f, 0.5f}};
+    static const float triangles[6][2] = {{-0.9f, -0.9f}, {-0.5f, -0.9f}, {-0.9f, -0.5f}, {0, 0}, {0.9f, 0}, {0, 0.9f}};
+    static const float fan[4][2] = {{-0.5f, -0.5f}, {0.5f, -0.5f}, {0.5f, 0.5f}, {-0.5f, 0.5f}};
+    (void)state;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const float(*corner)[2] = rows[i].mode == GL_TRIANGLES ? triangles : rows[i].mode == GL_TRIANGLE_FAN ? fan : triangle_strip;
+        fixedglExplainPixel(rows[i].x, rows[i].y);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        glPointSize(3);
+        glLineWidth(3);
+        glBegin(rows[i].mode);
+        for (int v = 0; v < rows[i].vertices; v++)
+            glVertex2fv(corner[v]);
+        glEnd();
+        glFinish();
+        const char *made = find(explain(), "made_by");
+        assert_non_null(made);
+        EXPECT(made, "number", 0, rows[i].number);
+    }
+}
+
 static void explained_is_drawn_in_exact_mode(void **state)
 {
     fixedglAccuracy(FIXEDGL_EXACT);
@@ -748,6 +779,7 @@ static void one_vertex_alone(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+            GL_TEST(parts_are_numbered),
             GL_TEST(explained_is_drawn),
             GL_TEST(explained_is_drawn_in_exact_mode),
             GL_TEST(one_spot_by_hand),

@@ -1,4 +1,4 @@
-/* The Khronos registry's list of OpenGL 1.0 to 1.5 with the imaging subset (gl.xml of Debian's khronos-api) against the library: every command is
+/* The Khronos registry's list of OpenGL 1.0 to 1.5 with the imaging subset and of each extension offered (gl.xml of Debian's khronos-api) against the library: every command is
  * exported and answers, every token is declared with its value, every state variable can be queried. What is still missing
  * stands in registry_missing.txt, which may only shrink: an entry that is there after all fails the test.
  *
@@ -87,6 +87,19 @@ static void each_name(const char *element, void (*f)(const char *name))
     each_name_between("<extension name=\"GL_ARB_imaging\"", "</extension>", element, f);
 }
 
+/* The same with what the extensions are made of that this library names. */
+static void each_name_of_extensions(const char *element, void (*f)(const char *name))
+{
+    const char *at = (const char *)glGetString(GL_EXTENSIONS);
+    for (size_t n; (n = strcspn(at, " ")) > 0; at += n + strspn(at + n, " ")) {
+        char begin[128];
+        snprintf(begin, sizeof begin, "<extension name=\"%.*s\"", (int)n, at);
+        const char *tag = strstr(registry, begin);
+        if (tag && strchr(tag, '>')[-1] != '/') /* else it has nothing of its own */
+            each_name_between(begin, "</extension>", element, f);
+    }
+}
+
 /* ---- commands ---- */
 
 /* Integers and pointers, then floating point values, whatever their order: as the calling conventions of x86-64 and
@@ -152,6 +165,7 @@ static void every_command(void **state)
     (void)state;
     failures = 0;
     each_name("command", check_command);
+    each_name_of_extensions("command", check_command);
     assert_int_equal(failures, 0);
 }
 
@@ -188,6 +202,7 @@ static void every_token(void **state)
     (void)state;
     failures = 0;
     each_name("enum", check_token);
+    each_name_of_extensions("enum", check_token);
     assert_int_equal(failures, 0);
 }
 

@@ -67,6 +67,12 @@ static void images_are_checked(void **state)
                                                     GL_FLOAT, NULL));
     EXPECT_ERROR(GL_INVALID_VALUE, glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA, 4, 4, 4096, 0, GL_RGBA, GL_FLOAT, NULL));
     EXPECT_ERROR(GL_INVALID_VALUE, glTexImage1D(GL_TEXTURE_1D, 0, GL_RGBA, -4, 0, GL_RGBA, GL_FLOAT, NULL));
+    GLint most = 0; /* without the border */
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    EXPECT_NO_ERROR(glTexImage1D(GL_TEXTURE_1D, 0, GL_RGBA, most + 2, 1, GL_RGBA, GL_FLOAT, NULL));
+    EXPECT_ERROR(GL_INVALID_VALUE, glTexImage1D(GL_TEXTURE_1D, 0, GL_RGBA, most + 3, 1, GL_RGBA, GL_FLOAT, NULL));
+    EXPECT_NO_ERROR(glTexImage1D(GL_TEXTURE_1D, 1, GL_RGBA, most / 2, 0, GL_RGBA, GL_FLOAT, NULL));
+    EXPECT_ERROR(GL_INVALID_VALUE, glTexImage1D(GL_TEXTURE_1D, 1, GL_RGBA, most / 2 + 1, 0, GL_RGBA, GL_FLOAT, NULL));
     assert_int_equal(level_value(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH), 2); /* nothing has changed */
     assert_int_equal(level_value(GL_TEXTURE_2D, 0, GL_TEXTURE_INTERNAL_FORMAT), GL_RGB);
 }
