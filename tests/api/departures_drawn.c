@@ -196,6 +196,19 @@ static void a_returned_picture_is_shown(void **state)
     assert_int_equal(drawn_pixels(), on_fixedgl() ? TEST_SIZE * TEST_SIZE : 0);
 }
 
+/* attenuated-points. GL 1.5, 3.3: the size of a point is not bounded by the viewport. */
+static void attenuated_points_reach_out_of_the_viewport(void **state)
+{
+    (void)state;
+    glViewport(16, 16, 32, 32);
+    glPointSize(16);
+    glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, (const GLfloat[]){4, 0, 0}); /* size 8 */
+    glBegin(GL_POINTS);
+    glVertex2f(-1, -1);
+    glEnd();
+    assert_int_equal(drawn_pixels(), on_fixedgl() ? 64 : 16);
+}
+
 /* A triangle, green at its second corner, whose first corner is `x` far out. */
 static void draw_triangle(float x)
 {
@@ -334,6 +347,7 @@ int main(void)
             GL_TEST(a_surface_of_order_1_is_where_its_point_is),
             GL_TEST(the_accumulation_buffer_begins_as_zero),
             GL_TEST(a_returned_picture_is_shown),
+            GL_TEST(attenuated_points_reach_out_of_the_viewport),
             GL_TEST(the_shade_model_is_new),
             GL_TEST(back_faces_have_their_own_material),
             GL_TEST(denormals_are_kept),

@@ -17,8 +17,10 @@ static unsigned attribute_of(int command)
         return 1;
     if (command >= CMD_Color3b && command < CMD_TexCoord1f)
         return 2;
-    if (command >= CMD_TexCoord1f && command < CMD_EdgeFlag)
+    if (command >= CMD_TexCoord1f && command < CMD_SecondaryColor3f)
         return 4;
+    if (command >= CMD_SecondaryColor3f && command < CMD_EdgeFlag)
+        return 32u << (command - CMD_SecondaryColor3f);
     if (command == CMD_EdgeFlag || command == CMD_EdgeFlagv)
         return 8;
     return command >= CMD_Materialf && command <= CMD_Materialiv ? 16 : 0;
@@ -64,7 +66,7 @@ static bool fair_outside(const struct script *s, int i, bool in_list)
 {
     const int command = s->op[i].command;
     if (in_list)
-        return attribute_of(command) == 0 || attribute_of(command) > 8;
+        return attribute_of(command) == 0 || attribute_of(command) == 16;
     return (command != CMD_CallList && command != CMD_CallLists) || (i > 0 && s->op[i - 1].command == CMD_GetFloatv);
 }
 

@@ -208,6 +208,10 @@ static void choose_features(struct generator *g)
         g->enabled[FEATURE_texgen] = g->enabled[FEATURE_texture_matrix] = false;
     else
         g->enabled[FEATURE_feedback] = false;
+    if (chance(g, 50)) /* with which OSMesa cuts points and lines at the viewport (departure attenuated-points) */
+        g->enabled[FEATURE_point_parameter] = false;
+    else
+        g->enabled[FEATURE_viewport] = false;
     if (!g->selected[FEATURE_polygon_mode])
         return;
     if (chance(g, 50))
