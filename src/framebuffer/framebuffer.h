@@ -24,6 +24,7 @@ struct framebuffer {
     int stride; /* pixels from a row to the next: width rounded up to FB_ALIGN */
     enum color_kind color_kind;
     bool has_alpha; /* false for RGB formats: alpha reads as 1 */
+    bool reordered;     /* the caller's bytes are in another order than red, green, blue, alpha, or three */
     bool one_component; /* of an image that keeps no more of a colour */
     uint8_t image_bits[4]; /* of red, green, blue, alpha, where an image has fewer than are drawn to; else 0 */
     bool rounds;         /* of an image with fewer bits than the 8 that are drawn to: */

@@ -54,9 +54,9 @@ static void fetch_565(const struct framebuffer *fb, size_t at, int n, struct fet
     }
 }
 
-/* OSMesa rule: between packed pixels, in the buffer or in memory, and other ones, but of an 8-bit buffer,
- * colours pass through 8 bits when no component of the destination has more, else through floats. `as_float`:
- * they are wanted as floats. */
+/* OSMesa rule: between packed pixels, in the buffer or in memory, and other ones, but of an 8-bit buffer in the order red,
+ * green, blue, alpha, colours pass through 8 bits when no component of the destination has more, else through floats.
+ * `as_float`: they are wanted as floats. */
 static void fetch_color(const struct framebuffer *fb, int x, int y, int n, const struct pixel_type *type,
                         bool as_float, struct fetched_row *row)
 {
@@ -69,7 +69,8 @@ static void fetch_color(const struct framebuffer *fb, int x, int y, int n, const
     case COLOR_565: fetch_565(fb, at, n, row, bytes); break;
     case COLOR_INDEX8: break; /* fetch_index */
     }
-    if (as_float || (row->bits == 16 && type->kind == COMPONENT_PACKED && !bytes)) {
+    const bool packs = type->kind == COMPONENT_PACKED && (row->bits == 16 || (row->bits == 8 && fb->reordered));
+    if (as_float || (packs && !bytes)) {
         fgl_fetched_to_float(row, n);
     } else if (row->bits == 16 && type->kind == COMPONENT_PACKED) {
         for (int c = 0; c < 4; c++)

@@ -89,6 +89,7 @@ static OSMesaContext create(GLenum format, int depth, int stencil, int accum, OS
     c->fb.stencil_bits = stencil > 0 ? 8 : 0;
     c->fb.accum_bits = accum > 0 && format != OSMESA_COLOR_INDEX ? 16 : 0; /* GL 1.5, 4.2.4: RGBA mode only */
     c->fb.has_alpha = format == OSMESA_RGBA || format == OSMESA_BGRA || format == OSMESA_ARGB;
+    c->fb.reordered = format != OSMESA_RGBA;
     if (!init_context(c, share)) {
         OSMesaDestroyContext(c);
         return NULL;
