@@ -166,6 +166,22 @@ static void copied_pixels_are_textured(void **state)
     assert_int_equal(pixel(35, 35)[1], on_fixedgl() ? 0 : 255);
 }
 
+/* textured-pixels. GL 1.5, 3.8.8: one texture coordinate for all fragments, and so no minification. */
+static void drawn_pixels_of_a_later_unit_are_magnified(void **state)
+{
+    static const GLubyte base[4][4] = {{10, 0, 0, 255}, {10, 0, 0, 255}, {10, 0, 0, 255}, {10, 0, 0, 255}}, least[4] = {200, 0, 0, 255};
+    static const GLubyte white[4] = {255, 255, 255, 255};
+    (void)state;
+    glActiveTexture(GL_TEXTURE1);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, base);
+    glTexImage2D(GL_TEXTURE_2D, 1, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, least);
+    glEnable(GL_TEXTURE_2D);
+    glWindowPos2i(3, 3);
+    glDrawPixels(1, 1, GL_RGBA, GL_UNSIGNED_BYTE, white);
+    assert_int_equal(pixel(3, 3)[0], on_fixedgl() ? 10 : 200);
+}
+
 /* pixel-transfer. GL 1.5, 3.6.5 "Index Arithmetic": stencil indexes are shifted and offset. */
 static void drawn_stencils_are_shifted_and_offset(void **state)
 {
@@ -292,6 +308,7 @@ int main(void)
             GL_TEST(smooth_edges_have_this_draws_shade_model),
             GL_TEST(bitmaps_have_one_texture_coordinate),
             GL_TEST(copied_pixels_are_textured),
+            GL_TEST(drawn_pixels_of_a_later_unit_are_magnified),
             GL_TEST(drawn_stencils_are_shifted_and_offset),
             GL_TEST(copied_pixels_obey_the_color_mask),
             GL_TEST(swapped_bytes_are_swapped_beside_the_window),

@@ -177,6 +177,8 @@ void feature_draw_pixels(struct generator *g)
     if ((format == GL_DEPTH_COMPONENT && g->script->buffers.depth_bits == 0) ||
         (format == GL_STENCIL_INDEX && g->script->buffers.stencil_bits == 0))
         return;
+    if (g->used[FEATURE_texture_unit] && !indexes) /* departure textured-pixels: of mipmaps OSMesa takes the smallest there */
+        return;
     emit_place(g);
     const int count = random_store(g, width, height, type->bytes, per_pixel);
     if (g->arrays_set) /* after arrays were drawn the current coordinates are indeterminate (GL 1.5, 2.8) */
