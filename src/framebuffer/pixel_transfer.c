@@ -42,8 +42,13 @@ bool fgl_transfer_depth_active(const struct pixel_mode_state *mode)
 
 void fgl_transfer_depth(const struct pixel_mode_state *mode, float *depth, int n)
 {
+    const float scale = mode->depth_scale, bias = mode->depth_bias; /* read once: depth could be their memory */
     for (int i = 0; i < n; i++)
-        depth[i] = fgl_clamp01(depth[i] * mode->depth_scale + mode->depth_bias);
+        depth[i] = depth[i] * scale + bias;
+    for (int i = 0; i < n; i++) {
+        const float above = depth[i] > 0.0f ? depth[i] : 0.0f; /* NaN -> 0 */
+        depth[i] = above < 1.0f ? above : 1.0f;
+    }
 }
 
 /* 3.6.5 "Arithmetic on Components": shifted left, or right when the shift is negative. */

@@ -43,7 +43,7 @@ static void load_component(const struct pixel_image *image, int row, int column,
     const size_t step = image->pixel_bytes;
     switch (image->swap_bytes ? -type->bytes : type->bytes) {
     case 2: load_elements(p, step, n, 2, false, out); break;
-    case 4: load_elements(p, step, n, 4, false, out); break;
+    case 4: step == 4 ? (void)memcpy(out, p, (size_t)n * 4) : load_elements(p, step, n, 4, false, out); break;
     case -2: load_elements(p, step, n, 2, true, out); break;
     case -4: load_elements(p, step, n, 4, true, out); break;
     default: load_elements(p, step, n, 1, false, out); break;
@@ -253,7 +253,9 @@ void fgl_unpack_depth(const struct pixel_unpack *unpack, int row, int column, in
     const bool exact = type->kind == COMPONENT_UNSIGNED && !fgl_transfer_depth_active(unpack->mode);
     uint32_t v[PIXEL_CHUNK];
     load_component(&unpack->image, row, column, n, 0, v);
-    for (int i = 0; i < n; i++)
+    if (type->kind == COMPONENT_FLOAT)
+        memcpy(out, v, (size_t)n * sizeof *out);
+    for (int i = 0; i < n && type->kind != COMPONENT_FLOAT; i++)
         out[i] = depth_of(type, v[i]);
     fgl_transfer_depth(unpack->mode, out, n);
     for (int i = 0; i < n && type->kind != COMPONENT_FLOAT; i++) {
