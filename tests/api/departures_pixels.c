@@ -182,6 +182,26 @@ static void drawn_pixels_of_a_later_unit_are_magnified(void **state)
     assert_int_equal(pixel(3, 3)[0], on_fixedgl() ? 10 : 200);
 }
 
+/* copied-images. GL 1.5, 3.8.2: the lower left pixel is the first of the image, with pixel transfer too. */
+static void images_are_copied_from_where_they_are(void **state)
+{
+    GLubyte image[8][8][4];
+    (void)state;
+    glEnable(GL_SCISSOR_TEST);
+    for (int y = 0; y < TEST_SIZE; y++) {
+        glScissor(0, y, TEST_SIZE, 1);
+        glClearColor(1, (float)y / 255, 0, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
+    glPixelTransferf(GL_RED_SCALE, 0.2f);
+    glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 0, 7, 8, 8, 0);
+    glPixelTransferf(GL_RED_SCALE, 1);
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, image);
+    assert_int_equal(image[0][0][0], 51);
+    assert_int_equal(image[0][0][1], on_fixedgl() ? 7 : 14);
+    assert_int_equal(image[7][0][1] == 14, on_fixedgl());
+}
+
 /* pixel-transfer. GL 1.5, 3.6.5 "Index Arithmetic": stencil indexes are shifted and offset. */
 static void drawn_stencils_are_shifted_and_offset(void **state)
 {
@@ -309,6 +329,7 @@ int main(void)
             GL_TEST(bitmaps_have_one_texture_coordinate),
             GL_TEST(copied_pixels_are_textured),
             GL_TEST(drawn_pixels_of_a_later_unit_are_magnified),
+            GL_TEST(images_are_copied_from_where_they_are),
             GL_TEST(drawn_stencils_are_shifted_and_offset),
             GL_TEST(copied_pixels_obey_the_color_mask),
             GL_TEST(swapped_bytes_are_swapped_beside_the_window),

@@ -64,8 +64,8 @@ void feature_multi_tex_coord_inside(struct generator *g)
 void feature_copy_texture(struct generator *g)
 {
     const int width = g->script->width, height = g->script->height, x = below(g, width - 8), y = below(g, height - 8);
-    if (g->compiling || !use(g, FEATURE_texture))
-        return;
+    if (g->compiling || g->used[FEATURE_pixel_transfer] || g->used[FEATURE_pixel_map] || !use(g, FEATURE_texture))
+        return; /* departure copied-images */
     EMIT(g, TexParameteri, GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, ONE_OF(g, GL_NEAREST, GL_LINEAR));
     EMIT(g, CopyTexImage2D, GL_TEXTURE_2D, 0, ONE_OF(g, GL_RGBA, GL_RGBA, GL_RGB, GL_LUMINANCE, GL_ALPHA, GL_INTENSITY, GL_LUMINANCE_ALPHA), x, y,
          integer(g, 1, 8), integer(g, 1, 8), 0);
