@@ -8,7 +8,7 @@
 static void *refuse(const char *function, bool *told)
 {
     if (!*told)
-        fprintf(stderr, "fixedgl: %s is not in OpenGL 1.5 without a display: the call is ignored\n",
+        fprintf(stderr, "fixedgl: there is no %s here (neither GLX nor OpenGL after 1.5): the call is ignored\n",
                 function);
     *told = true;
     return NULL;

@@ -1,8 +1,7 @@
 /* Blending (GL 1.5, 4.1.8 "Blending") for one type of channel. Before each inclusion define CHANNEL, the type, T(name), which makes the
  * names below its own, and COMPLEMENT(a) = 1 - a; `max` is the value of 1.0. A group is computed with as an array of ELEMENTS numbers of
- * type ELEMENT, either the channel's own or the bytes packed in it, for which define MUL(a, b), ADD(a, b), SUB(a, b) and LERP(a, b, f), which is
- * f a + (1 - f) b. FACTOR_OUT: a
- * factor that source and destination have in common multiplies their sum. Alpha is channel 3. */
+ * type ELEMENT, either the channel's own or the bytes packed in it, for which define MUL(a, b), ADD(a, b), SUB(a, b) and LERP(a, b, f),
+ * which is f a + (1 - f) b. FACTOR_OUT: a factor that source and destination have in common multiplies their sum. Alpha is channel 3. */
 
 #define FOR_ELEMENTS(i) FGL_VECTOR_LOOP for (int i = 0; i < ELEMENTS; i++)
 

@@ -64,15 +64,12 @@ static FGL_ALWAYS_INLINE void fused_color(const struct planes *p, const struct f
     }
 }
 
+/* The colours of a group whose fragments are known, by the stages of the general path. */
 static FGL_NOINLINE void staged_color(const struct fragment_plan *plan, const struct planes *p, int y, int x, const int32_t *live,
                                       uint32_t *FGL_RESTRICT color)
 {
     struct fragments f;
-    f.x = x;
-    f.row = y;
-    f.fy = (real)y;
-    FOR_GROUP(i) f.fx[i] = (real)(x + i);
-    FOR_GROUP(i) f.w[i] = 1 / plane_at(p, LANE_OOW, f.fx[i], f.fy);
+    place_fragments(&f, p, y, x);
     FOR_GROUP(i) f.live[i] = live[i];
     find_colors(&f, plan, p);
     FOR_GROUP(i) {

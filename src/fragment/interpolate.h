@@ -25,6 +25,16 @@ static inline bool any_live(const struct fragments *f)
     return any != 0;
 }
 
+/* Where the group is. */
+static FGL_ALWAYS_INLINE void place_fragments(struct fragments *f, const struct planes *p, int row, int x)
+{
+    f->x = x;
+    f->row = row;
+    f->fy = (real)row;
+    FOR_GROUP(i) f->fx[i] = (real)(x + i);
+    FOR_GROUP(i) f->w[i] = 1 / plane_at(p, LANE_OOW, f->fx[i], f->fy);
+}
+
 /* The pixels of the run, less those that a polygon stipple leaves out (GL 1.5, 3.5.2: window coordinates
  * modulo 32, row 0 lowest). */
 static inline void start_fragments(struct fragments *f, const struct fragment_plan *plan,
@@ -33,13 +43,9 @@ static inline void start_fragments(struct fragments *f, const struct fragment_pl
     uint32_t stipple = 0xffffffff;
     if (p->stipple)
         stipple = p->stipple->row[(plan->fb->height - 1 - row) & 31];
-    f->x = x;
-    f->row = row;
-    f->fy = (real)row;
-    FOR_GROUP(i) f->fx[i] = (real)(x + i);
+    place_fragments(f, p, row, x);
     FOR_GROUP(i)
         f->live[i] = -((x + i >= x0) & (x + i < x1) & (int32_t)(stipple >> (31 - ((x + i) & 31)) & 1));
-    FOR_GROUP(i) f->w[i] = 1 / plane_at(p, LANE_OOW, f->fx[i], f->fy);
 }
 
 static FGL_ALWAYS_INLINE void interpolate_channel(struct fragments *f, const struct planes *p, int lane, real *FGL_RESTRICT to)

@@ -1,6 +1,7 @@
 /* Unpacking a row: load elements, convert each component, pixel transfer. */
 #include "framebuffer/pixel_unpack.h"
 
+#include "base/arith_fma.h"
 #include "base/unorm.h"
 
 #include "base/color_index.h"
@@ -50,13 +51,6 @@ static void load_component(const struct pixel_image *image, int row, int column,
     }
     for (int i = 0; type->fields && i < n; i++)
         out[i] = out[i] >> type->shift[c] & (0xffffffffu >> (32 - type->bits[c]));
-}
-
-static float float_of(uint32_t bits)
-{
-    float v;
-    memcpy(&v, &bits, sizeof v);
-    return v;
 }
 
 /* The element's value as a signed integer of its type. */
@@ -124,7 +118,7 @@ static void convert_component(const struct pixel_type *type, int c, enum unpack_
         convert_texels(type, c, steps, v, n, out);
     else if (type->kind == COMPONENT_FLOAT)
         for (int i = 0; i < n; i++)
-            out[i] = float_of(v[i]);
+            out[i] = fgl_bits_float(v[i]);
     else if (type->kind == COMPONENT_SIGNED)
         convert_signed(v, n, type->bytes, out);
     else
@@ -164,7 +158,7 @@ static void unpack_index(const struct pixel_unpack *unpack, int row, int column,
     } else {
         load_component(&unpack->image, row, column, n, unpack->image.format->components - 1, v); /* of GL_DEPTH_STENCIL the second */
         for (int i = 0; i < n; i++)
-            out[i] = type->kind == COMPONENT_FLOAT    ? fgl_index_of(float_of(v[i]))
+            out[i] = type->kind == COMPONENT_FLOAT    ? fgl_index_of(fgl_bits_float(v[i]))
                      : type->kind == COMPONENT_SIGNED ? signed_of(v[i], type->bytes)
                                                       : (int32_t)v[i];
     }
@@ -235,7 +229,7 @@ static float depth_of(const struct pixel_type *type, uint32_t v)
     case GL_UNSIGNED_INT: return (float)((double)v * (1.0 / 4294967295.0));
     case GL_INT: return (2.0f * (float)value + 1.0f) * (1.0f / 4294967294.0f);
     case GL_UNSIGNED_INT_24_8: return (float)((double)v / 16777215.0);
-    default: return float_of(v);
+    default: return fgl_bits_float(v);
     }
 }
 

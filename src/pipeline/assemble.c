@@ -242,27 +242,13 @@ static FGL_ALWAYS_INLINE void polygons(struct assembly *as, GLenum mode, int n, 
     }
 }
 
-static void filled(struct pipeline *p, const struct draw_prim *prim, uint32_t base, bool compiled)
+/* Polygons that are filled, into the list. */
+static FGL_ALWAYS_INLINE void filled(struct pipeline *p, const struct draw_prim *prim, const uint32_t *elements, uint32_t base, bool compiled)
 {
     struct triangle_list *t = &p->triangles;
-    struct assembly as = {p, NULL, prim->first, base, true, t->vertex + t->n};
+    struct assembly as = {p, elements, prim->first, base, true, t->vertex + t->n};
     polygons(&as, prim->mode, prim->count, compiled);
     t->n = (int)(as.next - t->vertex);
-}
-
-static void filled_elements(struct pipeline *p, const struct draw_prim *prim, const uint32_t *elements, uint32_t base)
-{
-    struct triangle_list *t = &p->triangles;
-    if (!elements)
-        return;
-    struct assembly as = {p, elements, prim->first, base, true, t->vertex + t->n};
-    polygons(&as, prim->mode, prim->count, false);
-    t->n = (int)(as.next - t->vertex);
-}
-
-static void in_polygon_mode(struct assembly *as, GLenum mode, int n, bool compiled)
-{
-    polygons(as, mode, n, compiled);
 }
 
 void fgl_assemble(struct pipeline *p, const struct draw_prim *prim, const uint32_t *elements, uint32_t base, bool compiled)
@@ -275,9 +261,9 @@ void fgl_assemble(struct pipeline *p, const struct draw_prim *prim, const uint32
     else if (prim->mode < GL_TRIANGLES)
         lines(&as, prim);
     else if (!p->plan.polygon_fill)
-        in_polygon_mode(&as, prim->mode, prim->count, compiled);
+        polygons(&as, prim->mode, prim->count, compiled);
     else if (elements)
-        filled_elements(p, prim, elements, base);
+        filled(p, prim, elements, base, false);
     else
-        filled(p, prim, base, compiled);
+        filled(p, prim, NULL, base, compiled);
 }

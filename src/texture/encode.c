@@ -2,24 +2,10 @@
  * without sign have no denormalized numbers. */
 #include "texture/encode.h"
 
+#include "base/arith_fma.h"
 #include "base/unorm.h"
 
 #include <math.h>
-#include <string.h>
-
-static uint32_t bits_of(float v)
-{
-    uint32_t bits;
-    memcpy(&bits, &v, sizeof bits);
-    return bits;
-}
-
-static float float_of(uint32_t bits)
-{
-    float v;
-    memcpy(&v, &bits, sizeof v);
-    return v;
-}
 
 /* ---- small floats: an exponent of 5 bits with bias 15 ---- */
 
@@ -36,7 +22,7 @@ static float cut(float v, int mantissa, bool denormals)
         const float step = ldexpf(smallest, -mantissa);
         return denormals ? floorf(magnitude / step) * step : 0.0f;
     }
-    return float_of(bits_of(magnitude) & ~0u << (FLOAT_MANTISSA - mantissa));
+    return fgl_bits_float(fgl_float_bits(magnitude) & ~0u << (FLOAT_MANTISSA - mantissa));
 }
 
 static float half(float v)
