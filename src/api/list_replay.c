@@ -35,6 +35,6 @@ void fgl_list_replay_command(struct context *ctx, enum fgl_opcode op, void *payl
 {
     switch (op) {
 #include "api/command.def"
-    default: assert(false); break; /* every opcode without a case of its own in list.c has one here */
+    default: assert(false); break; /* every opcode without a case of its own in list_call.c has one here */
     }
 }
