@@ -131,7 +131,7 @@ static FGL_ALWAYS_INLINE real face_derivative2(real dc, real c, real dm_over_m, 
 }
 
 /* The same on the faces of a cube map, whose s t r are directions. OSMesa rule: for each fragment by itself, from its row's and its
- * column's difference; without mipmaps for the upper left fragment of each quad. */
+ * column's difference; without mipmaps for the upper left fragment of each quad; 0 where there is no direction, which gives no number. */
 static FGL_ALWAYS_INLINE void cube_scale_factors(const struct sampler *sampler, real at[3][FRAGMENT_GROUP],
                                                  real upper[3][FRAGMENT_GROUP], real lower[3][FRAGMENT_GROUP],
                                                  real rho[FRAGMENT_GROUP])
@@ -146,7 +146,7 @@ static FGL_ALWAYS_INLINE void cube_scale_factors(const struct sampler *sampler, 
                         face_derivative2(at[v][right] - at[v][left], at[v][i], x, half, n);
         const real y2 = face_derivative2(lower[u][i] - upper[u][i], at[u][i], y, half, n) +
                         face_derivative2(lower[v][i] - upper[v][i], at[v][i], y, half, n);
-        rho[i] = r_max(x2, y2);
+        rho[i] = r_max(r_max(x2, y2), 0);
     }
     if (sampler->mip == MIP_NONE)
         FOR_GROUP(i) rho[i] = rho[i & ~1];

@@ -4,13 +4,15 @@
 
 #include "fragment/texture_lod.h"
 
-/* GL 1.5, table 3.19: the face of a direction and the coordinates on it. OSMesa rule: no direction is the middle of a face. */
-static inline void choose_faces(struct texture_coords *at)
+/* GL 1.5, table 3.19: the face of a direction and the coordinates on it. OSMesa rules: no direction is
+ * the middle of a face; where a level is chosen, its coordinates are not a number. */
+static inline void choose_faces(const struct sampler *sampler, struct texture_coords *at)
 {
+    const bool middle = !sampler->needs_lod || R_EXACT;
     FOR_GROUP(i) {
         const real x = at->s[0][i], y = at->s[1][i], z = at->s[2][i];
         const int axis = major_axis(x, y, z);
-        const real major = axis == 2 ? z : axis == 0 ? x : y, scale = major == 0 ? 0 : (real)0.5 / r_abs(major);
+        const real major = axis == 2 ? z : axis == 0 ? x : y, scale = (major == 0) & middle ? 0 : (real)0.5 / r_abs(major);
         const bool negative = major < 0;
         const real s = axis == 2 ? (negative ? -x : x) : axis == 0 ? (negative ? z : -z) : x;
         const real t = axis == 1 ? (negative ? -z : z) : -y;
@@ -128,7 +130,7 @@ static inline void find_texels(const struct fragments *fragments, const struct p
     if (sampler->needs_lod)
         choose_levels(fragments, p, stage, count, at->s, choice);
     if (cube)
-        choose_faces(at);
+        choose_faces(sampler, at);
 }
 
 /* The texels of a unit for every live fragment. */

@@ -29,13 +29,14 @@ static bool needs_border(GLenum wrap)
     return wrap != GL_REPEAT && wrap != GL_CLAMP_TO_EDGE;
 }
 
-/* OSMesa rules: cube maps are clamped to their edges, and mixed filters with mipmaps need floats there. */
-static void derive_filters(struct sampler *to, const struct texture_parameters *p)
+/* OSMesa rules: an image alone, at level 0, is no mipmap; cube maps are clamped to their edges, and mixed filters with mipmaps need
+ * floats there. */
+static void derive_filters(struct sampler *to, const struct texture_parameters *p, bool level_zero_only)
 {
     static const int dimensions[TEXTURE_TARGETS] = {1, 2, 2, 3, 2};
     to->min = image_filter(p->min_filter);
     to->mag = image_filter(p->mag_filter);
-    to->mip = mip_filter(p->min_filter);
+    to->mip = level_zero_only ? MIP_NONE : mip_filter(p->min_filter);
     to->dimensions = dimensions[to->target];
     const bool cube = to->target == TEXTURE_CUBE_MAP;
     to->fixed_point = to->kind == TEXELS_UNORM8 && (!cube || to->mip == MIP_NONE || to->min == to->mag);
@@ -55,7 +56,7 @@ static void derive_lod(struct sampler *to, const struct texture_parameters *p, f
     to->min_lod = fmaxf(p->min_lod, 0.0f);
     to->max_lod = p->max_lod;
     to->adjusts_lod = to->lod_bias != 0.0f || to->min_lod > 0.0f || to->max_lod < FGL_MAX_TEXTURE_LEVELS;
-    to->magnify_below = to->mag == FILTER_LINEAR && to->min == FILTER_NEAREST && to->mip != MIP_NONE ? 0.5f : 0.0f;
+    to->magnify_below = to->mag == FILTER_LINEAR && to->min == FILTER_NEAREST && mip_filter(p->min_filter) != MIP_NONE ? 0.5f : 0.0f;
 }
 
 /* What the base format leaves of a texture (GL 1.5, tables 3.22 and 3.23): a format without RGB, or without alpha, keeps the fragment's. */
@@ -112,7 +113,7 @@ static void derive_sampler(struct sampler *to, const struct texture_object *obje
     const bool rgba = image->format->base_format == GL_RGBA || image->format->base_format == GL_RGB;
     for (int c = 0; c < 4; c++)
         to->shift[c] = to->kind == TEXELS_UNORM8 && rgba && image->format->bits[c] ? 8 - image->format->bits[c] : 0;
-    derive_filters(to, &object->parameters);
+    derive_filters(to, &object->parameters, fgl_texture_last_level(object) == 0);
     derive_lod(to, &object->parameters, unit_bias);
     derive_border(to, object->parameters.border_color, image->format);
     derive_levels(to, object);
