@@ -57,6 +57,20 @@ static void pop_restores_what_changed_inside_an_inner_push(void **state)
     assert_int_equal(glIsEnabled(GL_LIGHTING), on_fixedgl() ? GL_FALSE : GL_TRUE);
 }
 
+/* popped-color-sum. GL 1.5, table 6.8: GL_COLOR_SUM belongs to fog and enable. */
+static void pop_restores_the_color_sum(void **state)
+{
+    const GLbitfield bits[] = {GL_ENABLE_BIT, GL_FOG_BIT};
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        glPushAttrib(bits[i]);
+        glEnable(GL_COLOR_SUM);
+        glPopAttrib();
+        assert_int_equal(glIsEnabled(GL_COLOR_SUM), on_fixedgl() ? GL_FALSE : GL_TRUE);
+        glDisable(GL_COLOR_SUM);
+    }
+}
+
 /* GL 1.5, 2.14.3: tracked material parameters have the current colour, wherever it comes from. */
 static void tracked_materials_follow_a_restored_color(void **state)
 {
@@ -182,6 +196,7 @@ int main(void)
             GL_TEST(pop_restores_an_unused_color),
             GL_TEST(pop_restores_an_unused_material),
             GL_TEST(pop_restores_what_changed_inside_an_inner_push),
+            GL_TEST(pop_restores_the_color_sum),
             GL_TEST(tracked_materials_follow_a_restored_color),
             GL_TEST(edges_show_after_filling),
             GL_TEST(unlit_secondary_colors_are_not_summed),

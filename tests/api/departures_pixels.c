@@ -301,6 +301,32 @@ static void a_raster_position_is_lit_as_a_vertex(void **state)
     assert_int_equal(difference > -0.003f && difference < 0.003f, on_fixedgl());
 }
 
+/* Green of a red bitmap whose raster position has a green secondary color. */
+static int secondary_green_of_bitmap(void)
+{
+    static const GLubyte bits[4] = {255, 255, 255, 255};
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glColor3f(1, 0, 0);
+    glSecondaryColor3f(0, 1, 0);
+    glWindowPos2i(0, 0);
+    glSecondaryColor3f(0, 0, 1);
+    glBitmap(4, 4, 0, 0, 0, 0, bits);
+    return pixel(1, 1)[1];
+}
+
+/* raster-secondary-color. GL 1.5, 2.13, 3.7: a bitmap's fragments have the colors of the raster position. */
+static void bitmaps_have_the_secondary_color_of_the_raster_position(void **state)
+{
+    (void)state;
+    glEnable(GL_COLOR_SUM);
+    assert_int_equal(secondary_green_of_bitmap(), on_fixedgl() ? 255 : 0);
+    glDisable(GL_COLOR_SUM);
+    glEnable(GL_LIGHTING);
+    glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR);
+    glClear(GL_COLOR_BUFFER_BIT);
+    assert_int_equal(secondary_green_of_bitmap(), on_fixedgl() ? 255 : 0);
+}
+
 /* reads-of-one. GL 1.5, table 4.7: 1.0 is the greatest integer. */
 static void one_is_the_greatest_integer(void **state)
 {
@@ -335,6 +361,7 @@ int main(void)
             GL_TEST(swapped_bytes_are_swapped_beside_the_window),
             GL_TEST(bitmaps_blend_one_after_the_other),
             GL_TEST(a_raster_position_is_lit_as_a_vertex),
+            GL_TEST(bitmaps_have_the_secondary_color_of_the_raster_position),
             GL_TEST(one_is_the_greatest_integer),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -55,10 +55,33 @@ static bool fair_inside(struct primitive *p, int command)
     return true;
 }
 
+static bool is_color_sum(const struct script *s, int i, int command)
+{
+    return i < s->ops && s->op[i].command == command && s->value[s->op[i].first] == GL_COLOR_SUM;
+}
+
 static bool fair_pop(const struct script *s, int i)
 {
     const int before = i > 0 ? s->op[i - 1].command : -1, after = i + 1 < s->ops ? s->op[i + 1].command : -1;
-    return before == CMD_End && attribute_of(after) == 2;
+    bool sums = false;
+    for (int k = 0; k < i; k++)
+        sums = sums || is_color_sum(s, k, CMD_Enable);
+    return before == CMD_End && attribute_of(after) == 2 &&
+           (!sums || is_color_sum(s, i + 2, CMD_Enable) || is_color_sum(s, i + 2, CMD_Disable));
+}
+
+/* Neither GL_COLOR_SUM nor GL_SEPARATE_SPECULAR_COLOR was the last of its kind before command i. */
+static bool adds_no_secondary_color(const struct script *s, int i)
+{
+    bool sum = false, separate = false;
+    for (int k = 0; k < i; k++) {
+        const double *value = s->value + s->op[k].first;
+        if (is_color_sum(s, k, CMD_Enable) || is_color_sum(s, k, CMD_Disable))
+            sum = s->op[k].command == CMD_Enable;
+        if (s->op[k].command == CMD_LightModeli && value[0] == GL_LIGHT_MODEL_COLOR_CONTROL)
+            separate = value[1] == GL_SEPARATE_SPECULAR_COLOR;
+    }
+    return !sum && !separate;
 }
 
 /* A command outside Begin and End that may not stand there: in a list an attribute, elsewhere a call of a list without a query before. */
@@ -128,7 +151,7 @@ bool script_is_fair(const struct script *s)
             if (command == CMD_InterleavedArrays || s->value[s->op[i].first] == GL_VERTEX_ARRAY)
                 arrays = command != CMD_DisableClientState;
         }
-        if (!fair_order(s, i))
+        if (!fair_order(s, i) || (command == CMD_Bitmap && !adds_no_secondary_color(s, i)))
             return false;
         if (command == CMD_PushClientAttrib)
             saved_pointer = pointer;

@@ -126,6 +126,8 @@ void feature_attrib_stack(struct generator *g)
     EMIT0(g, End);
     EMIT0(g, PopAttrib);
     emit_color(g);
+    if (g->enabled[FEATURE_color_sum]) /* which OSMesa does not bring back (departure popped-color-sum) */
+        toggle(g, GL_COLOR_SUM, 80);
     settle_shade_model(g);
     random_draw(g);
 }

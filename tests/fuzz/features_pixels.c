@@ -147,10 +147,21 @@ void feature_pixel_zoom(struct generator *g)
         EMIT(g, PixelZoom, real(g, -3.0, 3.0), real(g, -3.0, 3.0));
 }
 
+/* OSMesa does not add the raster position's secondary color (departure raster-secondary-color). */
+static void emit_no_color_sum(struct generator *g)
+{
+    if (!g->enabled[FEATURE_color_sum] && !g->enabled[FEATURE_secondary_color_inside])
+        return;
+    EMIT(g, Disable, GL_COLOR_SUM);
+    if (g->enabled[FEATURE_lighting])
+        EMIT(g, LightModeli, GL_LIGHT_MODEL_COLOR_CONTROL, GL_SINGLE_COLOR);
+}
+
 void feature_bitmap(struct generator *g)
 {
     const int width = integer(g, 1, 24), height = integer(g, 1, 16);
     emit_place(g);
+    emit_no_color_sum(g);
     if (use(g, FEATURE_pixel_store))
         EMIT(g, PixelStorei, GL_UNPACK_LSB_FIRST, below(g, 2));
     for (int n = integer(g, 1, 3); n > 0; n--) {
