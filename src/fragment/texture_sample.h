@@ -12,7 +12,7 @@ static inline void choose_faces(const struct sampler *sampler, struct texture_co
     FOR_GROUP(i) {
         const real x = at->s[0][i], y = at->s[1][i], z = at->s[2][i];
         const int axis = major_axis(x, y, z);
-        const real major = axis == 2 ? z : axis == 0 ? x : y, scale = (major == 0) & middle ? 0 : (real)0.5 / r_abs(major);
+        const real major = axis == 2 ? z : axis == 0 ? x : y, scale = ((major == 0) & middle) ? 0 : (real)0.5 / r_abs(major);
         const bool negative = major < 0;
         const real s = axis == 2 ? (negative ? -x : x) : axis == 0 ? (negative ? z : -z) : x;
         const real t = axis == 1 ? (negative ? -z : z) : -y;
