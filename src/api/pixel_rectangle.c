@@ -6,6 +6,7 @@
 #include "framebuffer/imaging.h"
 #include "framebuffer/pixel_unpack.h"
 #include "pipeline/feedback.h"
+#include "pipeline/pipeline.h"
 #include "pipeline/pixels.h"
 #include "pipeline/zoom_clip.h"
 #include "raster/zoom.h"
@@ -15,7 +16,7 @@
 #include <string.h>
 
 /* A pixel rectangle on its way to the framebuffer. Rows are unpacked whole; columns of the window choose from
- * them. */
+ * them. Each worker has one, with rows of its own. */
 struct rectangle {
     struct pixel_unpack unpack;
     struct zoom zoom;
@@ -63,29 +64,49 @@ static bool place(const struct context *ctx, int width, int height, const struct
     return area->x0 < area->x1 && area->y0 < area->y1;
 }
 
-/* The columns of the image that the area shows, or all, and room for rows of them. */
-static bool choose_columns(struct rectangle *r, int stride, bool all)
+/* The columns of the image that the area shows, or all. */
+static bool choose_columns(struct rectangle *r, bool all)
 {
     const int a = all ? 0 : fgl_zoom_column(&r->zoom, r->area.x0),
               b = all ? r->zoom.width - 1 : fgl_zoom_column(&r->zoom, r->area.x1 - 1);
     r->first = fgl_min(a, b);
     r->columns = fgl_max(a, b) - r->first + 1;
-    r->row = -1;
-    r->column = malloc((size_t)stride * sizeof *r->column);
-    union number *room =
-            calloc((size_t)r->planes * ((size_t)r->columns + PIXEL_CHUNK + (size_t)stride), sizeof *room);
-    if (!r->column || !room) {
-        free(r->column);
-        free(room);
-        return false;
-    }
-    for (int i = 0; i < r->planes; i++) {
-        r->source[i] = room + (size_t)i * ((size_t)r->columns + PIXEL_CHUNK + (size_t)stride);
-        r->shown[i] = r->source[i] + r->columns + PIXEL_CHUNK;
-    }
-    for (int x = r->area.x0; x < r->area.x1; x++)
-        r->column[x] = fgl_zoom_column(&r->zoom, x) - r->first;
     r->straight = !all && b - a == r->area.x1 - 1 - r->area.x0;
+    r->column = malloc((size_t)r->fb->stride * sizeof *r->column);
+    for (int x = r->area.x0; r->column && x < r->area.x1; x++)
+        r->column[x] = fgl_zoom_column(&r->zoom, x) - r->first;
+    return r->column != NULL;
+}
+
+/* The arrays from which the fragments are made. */
+static void set_inputs(struct rectangle *r)
+{
+    struct pixel_inputs *inputs = &r->draw.inputs;
+    r->draw.fragment.pixels = inputs;
+    if (r->kind == DEPTH)
+        inputs->depth = &r->shown[0]->f;
+    else if (r->kind == RGBA_UNORM8)
+        inputs->unorm8 = &r->shown[0]->unorm8;
+    else if (r->kind == RGBA_FLOATS || r->kind == COLOR_INDEXES)
+        for (int c = 0; c < r->planes; c++)
+            inputs->color[c] = &r->shown[c]->f;
+}
+
+/* A rectangle like the one given, with room for rows of the columns. */
+static bool make_room(struct rectangle *r, const struct rectangle *like)
+{
+    const size_t columns = (size_t)like->columns + PIXEL_CHUNK, stride = (size_t)like->fb->stride;
+    union number *room = calloc((size_t)like->planes * (columns + stride), sizeof *room);
+    *r = *like;
+    r->source[0] = room;
+    if (!room)
+        return false;
+    for (int i = 0; i < r->planes; i++) {
+        r->source[i] = room + (size_t)i * (columns + stride);
+        r->shown[i] = r->source[i] + columns;
+    }
+    r->row = -1;
+    set_inputs(r);
     return true;
 }
 
@@ -179,10 +200,10 @@ static int triangle_end(const struct rectangle *r, int y)
     return x;
 }
 
-static void draw_rows(struct rectangle *r)
+static void draw_rows(struct rectangle *r, int y0, int y1)
 {
     const struct rect *area = &r->area;
-    for (int y = area->y0; y < area->y1; y++) {
+    for (int y = y0; y < y1; y++) {
         const int rows[2] = {fgl_zoom_row(&r->zoom, y, 0), fgl_zoom_row(&r->zoom, y, 1)};
         if (rows[0] == rows[1]) {
             show_row(r, rows[0]);
@@ -221,18 +242,41 @@ static bool is_cut(const struct context *ctx, const struct zoom *z)
            fmaxf(z->y[0], z->y[1]) > h;
 }
 
-/* The arrays from which the fragments are made. */
-static void set_inputs(struct rectangle *r)
+/* All rows, in bands that workers share: each_worker has their rectangles. */
+struct band_job {
+    struct rectangle *each_worker;
+    int bands;
+};
+
+static void draw_band(void *arg, int band, int worker)
 {
-    struct pixel_inputs *inputs = &r->draw.inputs;
-    r->draw.fragment.pixels = inputs;
-    if (r->kind == DEPTH)
-        inputs->depth = &r->shown[0]->f;
-    else if (r->kind == RGBA_UNORM8)
-        inputs->unorm8 = &r->shown[0]->unorm8;
-    else if (r->kind == RGBA_FLOATS || r->kind == COLOR_INDEXES)
-        for (int c = 0; c < r->planes; c++)
-            inputs->color[c] = &r->shown[c]->f;
+    const struct band_job *job = arg;
+    struct rectangle *r = &job->each_worker[worker];
+    const int top = r->area.y0, height = r->area.y1 - top;
+    draw_rows(r, top + height * band / job->bands, top + height * (band + 1) / job->bands);
+}
+
+/* False when memory is short. */
+static bool draw_area(struct context *ctx, const struct rectangle *r, bool cut)
+{
+    const int width = r->area.x1 - r->area.x0, height = r->area.y1 - r->area.y0;
+    struct pipeline *p = ctx->pipeline;
+    struct band_job job = {.bands = fgl_pipeline_bands(p, height, !cut && height >= SHARED_AREA / width)};
+    const int workers = job.bands > 1 ? fgl_workers_count(p->workers) : 1;
+    struct rectangle *each = job.each_worker = calloc((size_t)workers, sizeof *each);
+    bool ok = each != NULL;
+    for (int i = 0; i < workers && ok; i++)
+        ok = make_room(&each[i], r);
+    if (ok && cut)
+        ok = fgl_zoom_clip(&r->zoom, r->fb, &r->draw.bounds, draw_zoomed_run, each);
+    else if (ok && job.bands > 1)
+        fgl_workers_run(p->workers, job.bands, draw_band, &job);
+    else if (ok)
+        draw_band(&job, 0, 0);
+    for (int i = 0; i < workers && each; i++)
+        free(each[i].source[0]);
+    free(each);
+    return ok;
 }
 
 static void draw_rectangle(struct context *ctx, int width, int height, const struct pixel_unpack *unpack, bool copied)
@@ -253,14 +297,9 @@ static void draw_rectangle(struct context *ctx, int width, int height, const str
     if (!place(ctx, width, height, &r.draw.bounds, copied, &r.zoom, &r.area))
         return;
     const bool cut = is_cut(ctx, &r.zoom);
-    RETURN_ERROR_IF(ctx, !choose_columns(&r, r.fb->stride, cut), GL_OUT_OF_MEMORY);
-    set_inputs(&r);
-    if (!cut)
-        draw_rows(&r);
-    else if (!fgl_zoom_clip(&r.zoom, r.fb, &r.draw.bounds, draw_zoomed_run, &r))
+    if (!choose_columns(&r, cut) || !draw_area(ctx, &r, cut))
         fgl_error(ctx, GL_OUT_OF_MEMORY);
     free(r.column);
-    free(r.source[0]);
 }
 
 /* Colours that imaging stages may change or discard, as an image of their own. */

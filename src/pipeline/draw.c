@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PARALLEL_BATCHES = 4 };
+enum { PARALLEL_BATCHES = 4, BANDS_PER_WORKER = 4, MIN_BAND_ROWS = 8 };
 
 struct pipeline *fgl_pipeline_create(void)
 {
@@ -47,6 +47,13 @@ struct workers *fgl_pipeline_workers(struct pipeline *p)
     if (!p->workers)
         p->workers = fgl_workers_create(fgl_workers_default());
     return p->workers;
+}
+
+int fgl_pipeline_bands(struct pipeline *p, int rows, bool worth)
+{
+    const struct workers *w = worth ? fgl_pipeline_workers(p) : NULL;
+    const int count = w ? fgl_workers_count(w) : 1;
+    return count > 1 ? fgl_clamp(rows / MIN_BAND_ROWS, 1, count * BANDS_PER_WORKER) : 1;
 }
 
 static bool grow_array(void *array, size_t bytes)

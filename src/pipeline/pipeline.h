@@ -94,6 +94,10 @@ void fgl_pipeline_destroy(struct pipeline *p);
 /* The workers, started now if they were not; NULL when memory is short. */
 struct workers *fgl_pipeline_workers(struct pipeline *p);
 
+/* The bands of rows that a job is split into, 1 where it is not worth waking other threads; more of them are run by p->workers. */
+int fgl_pipeline_bands(struct pipeline *p, int rows, bool worth);
+enum { SHARED_AREA = 1 << 16 }; /* pixels; fewer are not worth it */
+
 /* How many workers a job on batches is given: all of them when it is worth their waking, which costs microseconds, else one; 0 when
  * memory is short. */
 int fgl_pipeline_share(struct pipeline *p, bool worth);

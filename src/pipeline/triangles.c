@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Fewer triangles, and less area, than this are not worth waking another thread for. */
-enum { SHARED_TRIANGLES = 1024, SHARED_AREA = 1 << 16, SHARED_SECTIONS = 4, BANDS_PER_WORKER = 4, MIN_BAND_ROWS = 8 };
+/* Fewer triangles than this are not worth waking another thread for, unless they are large. */
+enum { SHARED_TRIANGLES = 1024, SHARED_SECTIONS = 4 };
 
 bool fgl_triangles_init(struct triangle_list *t)
 {
@@ -145,15 +145,12 @@ static void fill(struct pipeline *p)
     if (n == 0)
         return;
     const bool worth = n > 1 && (n >= SHARED_TRIANGLES || area >= SHARED_AREA);
-    struct workers *w = worth ? fgl_pipeline_workers(p) : NULL;
-    struct fill_job job = {p, 1};
-    if (w && fgl_workers_count(w) > 1) {
-        const int height = p->plan.raster.bounds.y1 - p->plan.raster.bounds.y0;
-        job.bands = fgl_clamp(height / MIN_BAND_ROWS, 1, fgl_workers_count(w) * BANDS_PER_WORKER);
-        fgl_workers_run(w, job.bands, fill_band, &job);
-    } else {
+    const struct rect *bounds = &p->plan.raster.bounds;
+    struct fill_job job = {p, fgl_pipeline_bands(p, bounds->y1 - bounds->y0, worth)};
+    if (job.bands > 1)
+        fgl_workers_run(p->workers, job.bands, fill_band, &job);
+    else
         fill_band(&job, 0, 0);
-    }
 }
 
 void fgl_triangles_flush(struct pipeline *p)
