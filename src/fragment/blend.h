@@ -113,21 +113,21 @@ static inline bool blends_alpha_apart(const struct color_buffer_state *s)
            s->blend_dst_rgb != s->blend_dst_alpha || s->blend_src_rgb == GL_SRC_ALPHA_SATURATE;
 }
 
-static inline void blend_packed(const struct color_buffer_state *s, bool lerp, uint32_t *FGL_RESTRICT src, const uint32_t *FGL_RESTRICT dst)
+static inline void blend_packed(const struct color_buffer_state *s, bool lerp, const uint32_t *FGL_RESTRICT src,
+                                const uint32_t *FGL_RESTRICT dst, uint32_t *FGL_RESTRICT result)
 {
-    uint32_t a[4][FRAGMENT_GROUP], b[4][FRAGMENT_GROUP], result[FRAGMENT_GROUP];
+    _Alignas(64) uint32_t src_alpha[FRAGMENT_GROUP], dst_alpha[FRAGMENT_GROUP], apart[FRAGMENT_GROUP];
     const uint32_t color = pack_unorm8((real)s->blend_color[0], (real)s->blend_color[1], (real)s->blend_color[2],
                                        (real)s->blend_color[3]);
     const uint32_t each = 0x01010101, alpha = 0xff000000, constant[4] = {color, color, color, (color >> 24) * each};
-    FOR_GROUP(i) a[0][i] = src[i];
-    FOR_GROUP(i) b[0][i] = dst[i];
-    FOR_GROUP(i) a[3][i] = (src[i] >> 24) * each;
-    FOR_GROUP(i) b[3][i] = (dst[i] >> 24) * each;
-    byte_blend_channel(s, lerp, 0, a, b, constant, ~0u, src);
+    const uint32_t *const a[4] = {src, src, src, src_alpha}, *const b[4] = {dst, dst, dst, dst_alpha};
+    FOR_GROUP(i) src_alpha[i] = (src[i] >> 24) * each;
+    FOR_GROUP(i) dst_alpha[i] = (dst[i] >> 24) * each;
+    byte_blend_channel(s, lerp, 0, a, b, constant, ~0u, result);
     if (!blends_alpha_apart(s))
         return;
-    byte_blend_channel(s, lerp, 3, a, b, constant, ~0u, result);
-    FOR_GROUP(i) src[i] = (src[i] & ~alpha) | (result[i] & alpha);
+    byte_blend_channel(s, lerp, 3, a, b, constant, ~0u, apart);
+    FOR_GROUP(i) result[i] = (result[i] & ~alpha) | (apart[i] & alpha);
 }
 
 /* OSMesa rule: blending is done with 8 bits, but what was stored has kept no more than the image has. */
@@ -142,20 +142,25 @@ static FGL_NOINLINE void round_stored(const struct framebuffer *fb, uint32_t *FG
 static inline void write_packed(const struct fragments *f, const struct fragment_plan *plan)
 {
     const struct color_buffer_state *s = &plan->color_buffer;
-    uint32_t src[FRAGMENT_GROUP], dst[FRAGMENT_GROUP];
+    const uint32_t *given = plan->pixels ? plan->pixels->unorm8 : NULL;
+    _Alignas(64) uint32_t src[FRAGMENT_GROUP], dst[FRAGMENT_GROUP], blended[FRAGMENT_GROUP];
     load_packed(plan->fb, f->row, f->x, dst);
     if (FGL_UNLIKELY(plan->fb->rounds))
         round_stored(plan->fb, dst);
-    FOR_GROUP(i) src[i] = pack_unorm8(f->color[0][i], f->color[1][i], f->color[2][i], f->color[3][i]);
+    if (given)
+        FOR_GROUP(i) src[i] = given[f->x + i];
+    else
+        FOR_GROUP(i) src[i] = pack_unorm8(f->color[0][i], f->color[1][i], f->color[2][i], f->color[3][i]);
     if (plan->blend)
-        blend_packed(s, plan->blend_lerp, src, dst);
+        blend_packed(s, plan->blend_lerp, src, dst, blended);
     else if (plan->logic_op)
         logic_op(s->logic_op_mode, src, dst, ~0u);
+    const uint32_t *out = plan->blend ? blended : src;
     FOR_GROUP(i) {
         const uint32_t write = (uint32_t)f->live[i] & plan->write_bits;
-        src[i] = (src[i] & write) | (dst[i] & ~write);
+        dst[i] = (out[i] & write) | (dst[i] & ~write);
     }
-    store_packed(plan->fb, f->row, f->x, src);
+    store_packed(plan->fb, f->row, f->x, dst);
 }
 
 static inline void write_words(const struct fragments *f, const struct fragment_plan *plan)
@@ -163,6 +168,7 @@ static inline void write_words(const struct fragments *f, const struct fragment_
     const uint32_t max = 65535;
     const struct color_buffer_state *s = &plan->color_buffer;
     uint32_t src[4][FRAGMENT_GROUP], dst[4][FRAGMENT_GROUP], out[4][FRAGMENT_GROUP], constant[4];
+    const uint32_t *const a[4] = {src[0], src[1], src[2], src[3]}, *const b[4] = {dst[0], dst[1], dst[2], dst[3]};
     load_words(plan->fb, f->row, f->x, dst);
     for (int c = 0; c < 4; c++)
         FOR_GROUP(i) src[c][i] = to_norm(f->color[c][i], max);
@@ -171,7 +177,7 @@ static inline void write_words(const struct fragments *f, const struct fragment_
     for (int c = 0; c < 4; c++) {
         const int32_t write = -(int32_t)plan->channel_write[c];
         if (plan->blend)
-            word_blend_channel(s, plan->blend_lerp, c, src, dst, constant, max, out[c]);
+            word_blend_channel(s, plan->blend_lerp, c, a, b, constant, max, out[c]);
         else
             memcpy(out[c], src[c], sizeof out[c]);
         if (plan->logic_op)
@@ -186,11 +192,12 @@ static inline void write_float(const struct fragments *f, const struct fragment_
     const float *blend_color = plan->color_buffer.blend_color;
     const real constant[4] = {(real)blend_color[0], (real)blend_color[1], (real)blend_color[2], (real)blend_color[3]};
     real dst[4][FRAGMENT_GROUP], out[4][FRAGMENT_GROUP];
+    const real *const a[4] = {f->color[0], f->color[1], f->color[2], f->color[3]}, *const b[4] = {dst[0], dst[1], dst[2], dst[3]};
     load_float(plan->fb, f->row, f->x, dst);
     for (int c = 0; c < 4; c++) {
         const int32_t write = -(int32_t)plan->channel_write[c];
         if (plan->blend)
-            real_blend_channel(&plan->color_buffer, false, c, f->color, dst, constant, 1, out[c]);
+            real_blend_channel(&plan->color_buffer, false, c, a, b, constant, 1, out[c]);
         else
             memcpy(out[c], f->color[c], sizeof out[c]);
         FOR_GROUP(i) out[c][i] = f->live[i] & write ? out[c][i] : dst[c][i];

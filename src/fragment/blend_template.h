@@ -5,21 +5,20 @@
 
 #define FOR_ELEMENTS(i) FGL_VECTOR_LOOP for (int i = 0; i < ELEMENTS; i++)
 
-/* The factor of channel c, for each fragment. */
-static inline void T(factor)(GLenum factor, int c, const CHANNEL src[4][FRAGMENT_GROUP],
-                             const CHANNEL dst[4][FRAGMENT_GROUP], const CHANNEL constant[4], CHANNEL max,
-                             CHANNEL *FGL_RESTRICT f)
+/* Where the factors of channel c are, one for each fragment: an operand itself, or `f` with what is computed there. */
+static inline const CHANNEL *T(factor)(GLenum factor, int c, const CHANNEL *const src[4], const CHANNEL *const dst[4],
+                                       const CHANNEL constant[4], CHANNEL max, CHANNEL *FGL_RESTRICT f)
 {
     /* clang-format off */
     switch (factor) {
+    case GL_SRC_COLOR: return src[c];
+    case GL_DST_COLOR: return dst[c];
+    case GL_SRC_ALPHA: return src[3];
+    case GL_DST_ALPHA: return dst[3];
     case GL_ZERO:                     FOR_GROUP(i) f[i] = 0; break;
-    case GL_SRC_COLOR:                FOR_GROUP(i) f[i] = src[c][i]; break;
     case GL_ONE_MINUS_SRC_COLOR:      FOR_GROUP(i) f[i] = COMPLEMENT(src[c][i]); break;
-    case GL_DST_COLOR:                FOR_GROUP(i) f[i] = dst[c][i]; break;
     case GL_ONE_MINUS_DST_COLOR:      FOR_GROUP(i) f[i] = COMPLEMENT(dst[c][i]); break;
-    case GL_SRC_ALPHA:                FOR_GROUP(i) f[i] = src[3][i]; break;
     case GL_ONE_MINUS_SRC_ALPHA:      FOR_GROUP(i) f[i] = COMPLEMENT(src[3][i]); break;
-    case GL_DST_ALPHA:                FOR_GROUP(i) f[i] = dst[3][i]; break;
     case GL_ONE_MINUS_DST_ALPHA:      FOR_GROUP(i) f[i] = COMPLEMENT(dst[3][i]); break;
     case GL_CONSTANT_COLOR:           FOR_GROUP(i) f[i] = constant[c]; break;
     case GL_ONE_MINUS_CONSTANT_COLOR: FOR_GROUP(i) f[i] = COMPLEMENT(constant[c]); break;
@@ -34,17 +33,17 @@ static inline void T(factor)(GLenum factor, int c, const CHANNEL src[4][FRAGMENT
     default: FOR_GROUP(i) f[i] = max; break; /* GL_ONE */
     }
     /* clang-format on */
+    return f;
 }
 
 /* One channel of the blend equation. A function of its own: GCC unrolls loops inside of another loop before it can make vectors of
  * them. */
-static FGL_NOINLINE void T(blend_channel)(const struct color_buffer_state *s, bool lerp, int c, const CHANNEL src[4][FRAGMENT_GROUP],
-                                          const CHANNEL dst[4][FRAGMENT_GROUP], const CHANNEL constant[4], CHANNEL max,
+static FGL_NOINLINE void T(blend_channel)(const struct color_buffer_state *s, bool lerp, int c, const CHANNEL *const src[4],
+                                          const CHANNEL *const dst[4], const CHANNEL constant[4], CHANNEL max,
                                           CHANNEL *FGL_RESTRICT result)
 {
-    CHANNEL src_factors[FRAGMENT_GROUP], dst_factors[FRAGMENT_GROUP];
+    _Alignas(64) CHANNEL src_factors[FRAGMENT_GROUP], dst_factors[FRAGMENT_GROUP];
     const ELEMENT *a = (const ELEMENT *)src[c], *b = (const ELEMENT *)dst[c];
-    const ELEMENT *fa = (const ELEMENT *)src_factors, *fb = (const ELEMENT *)dst_factors;
     ELEMENT *FGL_RESTRICT out = (ELEMENT *)result;
     const GLenum equation = s->blend_equation[c == 3];
     if (equation == GL_MIN) { /* factors do not apply */
@@ -57,8 +56,8 @@ static FGL_NOINLINE void T(blend_channel)(const struct color_buffer_state *s, bo
     }
     const GLenum src_factor = c == 3 ? s->blend_src_alpha : s->blend_src_rgb,
                  dst_factor = c == 3 ? s->blend_dst_alpha : s->blend_dst_rgb;
-    T(factor)(src_factor, c, src, dst, constant, max, src_factors);
-    T(factor)(dst_factor, c, src, dst, constant, max, dst_factors);
+    const ELEMENT *fa = (const ELEMENT *)T(factor)(src_factor, c, src, dst, constant, max, src_factors),
+                  *fb = (const ELEMENT *)T(factor)(dst_factor, c, src, dst, constant, max, dst_factors);
 #if FACTOR_OUT
     if (s->blend_src_rgb == s->blend_dst_rgb && s->blend_src_alpha == s->blend_dst_alpha) {
         FOR_ELEMENTS(i) out[i] = MUL(equation == GL_FUNC_ADD        ? ADD(a[i], b[i])

@@ -69,7 +69,7 @@ static FGL_NOINLINE void staged_color(const struct fragment_plan *plan, const st
                                       uint32_t *FGL_RESTRICT color)
 {
     struct fragments f;
-    place_fragments(&f, p, y, x);
+    place_fragments(&f, y, x);
     FOR_GROUP(i) f.live[i] = live[i];
     find_colors(&f, plan, p);
     FOR_GROUP(i) {

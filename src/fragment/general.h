@@ -19,6 +19,7 @@ static inline bool pass_tests(struct fragments *f, const struct fragment_plan *p
 
 static FGL_ALWAYS_INLINE void find_colors(struct fragments *f, const struct fragment_plan *plan, const struct planes *planes)
 {
+    find_w(f, planes);
     if (FGL_UNLIKELY(plan->color_source == COLOR_LIT))
         light_group(f, plan, planes);
     else
@@ -35,7 +36,7 @@ static void general_group(const struct fragment_plan *plan, const struct planes 
                           int x0, int x1)
 {
     struct fragments f;
-    const bool color_decides = plan->alpha_test || planes->smoothing; /* else the tests may come first */
+    const bool color_decides = plan->alpha_test || planes->smoothing == SMOOTH_POINT; /* else the tests may come first */
     start_fragments(&f, plan, planes, row, x, x0, x1);
     if (!color_decides && !pass_tests(&f, plan, planes))
         return;

@@ -62,6 +62,7 @@ static void index_group(const struct fragment_plan *plan, const struct planes *p
 {
     struct fragments f;
     start_fragments(&f, plan, planes, row, x, x0, x1);
+    find_w(&f, planes);
     interpolate_index(&f, plan, planes);
     if (plan->has_fog)
         fog_index(&f, plan, planes);

@@ -26,12 +26,17 @@ static inline bool any_live(const struct fragments *f)
 }
 
 /* Where the group is. */
-static FGL_ALWAYS_INLINE void place_fragments(struct fragments *f, const struct planes *p, int row, int x)
+static FGL_ALWAYS_INLINE void place_fragments(struct fragments *f, int row, int x)
 {
     f->x = x;
     f->row = row;
     f->fy = (real)row;
     FOR_GROUP(i) f->fx[i] = (real)(x + i);
+}
+
+/* What interpolates with perspective. */
+static FGL_ALWAYS_INLINE void find_w(struct fragments *f, const struct planes *p)
+{
     FOR_GROUP(i) f->w[i] = 1 / plane_at(p, LANE_OOW, f->fx[i], f->fy);
 }
 
@@ -43,7 +48,7 @@ static inline void start_fragments(struct fragments *f, const struct fragment_pl
     uint32_t stipple = 0xffffffff;
     if (p->stipple)
         stipple = p->stipple->row[(plan->fb->height - 1 - row) & 31];
-    place_fragments(f, p, row, x);
+    place_fragments(f, row, x);
     FOR_GROUP(i)
         f->live[i] = -((x + i >= x0) & (x + i < x1) & (int32_t)(stipple >> (31 - ((x + i) & 31)) & 1));
 }
@@ -53,15 +58,23 @@ static FGL_ALWAYS_INLINE void interpolate_channel(struct fragments *f, const str
     FOR_GROUP(i) to[i] = plane_at(p, lane, f->fx[i], f->fy) * f->w[i];
 }
 
-/* Pixel rectangles. */
+static FGL_ALWAYS_INLINE void take_channel(struct fragments *f, const float *from, real *FGL_RESTRICT to)
+{
+    FOR_GROUP(i) to[i] = (real)from[f->x + i];
+}
+
+/* Pixel rectangles. Bytes are written as they came, and but for the alpha test nothing reads them before
+ * (fgl_pixels_take_unorm8). */
 static FGL_ALWAYS_INLINE void take_color(struct fragments *f, const struct pixel_inputs *pixels)
 {
-    const uint32_t *unorm8 = pixels->unorm8 ? pixels->unorm8 + f->x : NULL;
-    for (int c = 0; c < 4; c++)
-        if (unorm8)
-            FOR_GROUP(i) f->color[c][i] = from_unorm8(unorm8[i] >> (8 * c) & 255);
-        else
-            FOR_GROUP(i) f->color[c][i] = (real)pixels->color[c][f->x + i];
+    if (pixels->unorm8) {
+        FOR_GROUP(i) f->color[3][i] = from_unorm8(pixels->unorm8[f->x + i] >> 24);
+        return;
+    }
+    take_channel(f, pixels->color[0], f->color[0]);
+    take_channel(f, pixels->color[1], f->color[1]);
+    take_channel(f, pixels->color[2], f->color[2]);
+    take_channel(f, pixels->color[3], f->color[3]);
 }
 
 static inline void interpolate_color(struct fragments *f, const struct fragment_plan *plan, const struct planes *p)

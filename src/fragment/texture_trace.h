@@ -13,6 +13,7 @@ static void trace_texture(const struct fragment_plan *plan, const struct planes 
     struct level_choice choice;
     real at[3][FRAGMENT_GROUP], texel[4][FRAGMENT_GROUP];
     start_fragments(&f, plan, planes, row, first, x, x + 1);
+    find_w(&f, planes);
     coordinates_at(s, planes, FRAGMENT_GROUP, f.fx, f.fy, f.w, 3, at);
     sample_texture(&f, planes, s, texel);
     *to = (struct texture_trace){.magnified = true};
