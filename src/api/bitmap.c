@@ -13,24 +13,50 @@
 #include <math.h>
 #include <string.h>
 
-/* The bits of a row as runs of fragments. column0: window x of the first bit. */
-static void draw_row(const struct pixel_draw *draw, const struct pixel_image *image, int row, int y,
-                     int column0, int width)
+/* Takes the lowest run of ones out of *bits: from *x0 to *x1. Nothing from nothing. */
+static void take_run(uint32_t *bits, int32_t *x0, int32_t *x1)
 {
-    const int x0 = fgl_max(draw->bounds.x0, column0), x1 = fgl_min(draw->bounds.x1, column0 + width);
-    uint8_t bits[PIXEL_CHUNK];
-    for (int x = x0; x < x1; x += PIXEL_CHUNK) {
-        const int n = fgl_min(PIXEL_CHUNK, x1 - x);
-        fgl_unpack_bits(image, row, x - column0, n, bits);
-        for (int i = 0; i < n;) {
-            int end = i;
-            while (end < n && bits[end])
-                end++;
-            if (end > i)
-                fgl_pixels_run(draw, y, x + i, x + end);
-            i = end + 1;
+    const uint32_t lowest = *bits & -*bits, carry = *bits + lowest; /* the run's ones become zeros, the zero after them a one */
+    *x0 = *bits ? fgl_lowest_bit(*bits) : 0;
+    *x1 = carry ? fgl_lowest_bit(carry) : *bits ? BITMAP_CHUNK : 0;
+    *bits &= carry;
+}
+
+/* The ones of n rows as fragments: the first run of each row together, then the second, and so on. bits: of the rows from window row y
+ * down; bit 0 is at window column x. */
+static void draw_bits(const struct pixel_draw *draw, int x, int y, int n, uint32_t *bits)
+{
+    struct runs runs;
+    runs.y = y;
+    runs.n = n;
+    for (;;) {
+        uint32_t any = 0;
+        for (int i = 0; i < n; i++) {
+            any |= bits[i];
+            take_run(&bits[i], &runs.x0[i], &runs.x1[i]);
+            runs.x0[i] += x;
+            runs.x1[i] += x;
         }
+        if (!any)
+            return;
+        fgl_pixels_runs(draw, &runs);
     }
+}
+
+/* (x, y): the window position of the bitmap's lower left corner, y down. */
+static void draw_bitmap(const struct pixel_draw *draw, const struct pixel_image *image, int x, int y, int width, int height)
+{
+    const struct rect *bounds = &draw->bounds;
+    const int x0 = fgl_max(bounds->x0, x), x1 = fgl_min(bounds->x1, x + width);
+    const int y0 = fgl_max(bounds->y0, y - height + 1), y1 = fgl_min(bounds->y1, y + 1);
+    uint32_t bits[RUNS_MAX];
+    for (int top = y0; top < y1; top += RUNS_MAX)
+        for (int left = x0; left < x1; left += BITMAP_CHUNK) {
+            const int n = fgl_min(RUNS_MAX, y1 - top), columns = fgl_min(BITMAP_CHUNK, x1 - left);
+            for (int i = 0; i < n; i++)
+                bits[i] = fgl_unpack_bits(image, y - (top + i), left - x, columns);
+            draw_bits(draw, left, top, n, bits);
+        }
 }
 
 /* OSMesa rule: the lower left corner is floor(raster position + 0.0001 - origin), in float. */
@@ -54,11 +80,7 @@ void fgl_bitmap(struct context *ctx, int width, int height, const float origin[2
                   y = corner(current->raster_position[1], origin[1]);
         struct pixel_draw draw;
         fgl_pixels_begin(ctx, PIXELS_BITMAP, &draw);
-        for (int row = 0; row < height; row++) {
-            const int window_y = ctx->framebuffer->height - 1 - (y + row);
-            if (window_y >= draw.bounds.y0 && window_y < draw.bounds.y1)
-                draw_row(&draw, &image, row, window_y, x, width);
-        }
+        draw_bitmap(&draw, &image, x, ctx->framebuffer->height - 1 - y, width, height);
     }
     current->raster_position[0] += move[0];
     current->raster_position[1] += move[1];

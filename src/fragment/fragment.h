@@ -161,13 +161,13 @@ struct fragment_plan {
     GLenum depth_func;
     int textures; /* stages: units that draw a texture */
     bool texture_products; /* fgl_texture_products of them, and not general */
-    struct texture_stage texture[FGL_MAX_TEXTURE_UNITS];
     atomic_ullong *samples_passed; /* occlusion query: counts fragments that pass all tests; NULL: none runs. Set by the
                                       caller of fgl_fragment_validate */
     const struct pixel_inputs *pixels; /* NULL but for pixel rectangles; not NULL for COLOR_IMAGE */
 
     int lanes; /* lanes of a raster vertex that this plan reads, a multiple of LANE_GROUP */
     struct framebuffer *fb;
+    struct texture_stage texture[FGL_MAX_TEXTURE_UNITS]; /* the first `textures` of them; last, being large */
 };
 
 /* Fills *plan from state, but arith, color_source, constant_color, the secondary colour's, keeps_color and texture_varying: these depend on the

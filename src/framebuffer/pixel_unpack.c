@@ -151,10 +151,11 @@ static void unpack_index(const struct pixel_unpack *unpack, int row, int column,
     const struct pixel_type *type = unpack->image.type;
     uint32_t v[PIXEL_CHUNK];
     if (type->kind == COMPONENT_BITMAP) {
-        uint8_t bits[PIXEL_CHUNK];
-        fgl_unpack_bits(&unpack->image, row, column, n, bits);
-        for (int i = 0; i < n; i++)
-            out[i] = bits[i];
+        uint32_t bits = 0;
+        for (int i = 0; i < n; i++) {
+            bits = i % BITMAP_CHUNK ? bits >> 1 : fgl_unpack_bits(&unpack->image, row, column + i, fgl_min(BITMAP_CHUNK, n - i));
+            out[i] = bits & 1;
+        }
     } else {
         load_component(&unpack->image, row, column, n, unpack->image.format->components - 1, v); /* of GL_DEPTH_STENCIL the second */
         for (int i = 0; i < n; i++)
@@ -283,25 +284,32 @@ void fgl_unpack_stencil(const struct pixel_unpack *unpack, int row, int column, 
     unpack_index(unpack, row, column, n, true, out);
 }
 
-void fgl_unpack_bits(const struct pixel_image *image, int row, int column, int n, uint8_t *out)
+/* In each byte. */
+static uint64_t reverse_bits(uint64_t v)
 {
-    const uint8_t *bytes = fgl_pixel_row(image, row);
-    for (int i = 0; i < n; i++) {
-        const int bit = image->first_bit + column + i;
-        out[i] = bytes[bit / 8] >> (image->lsb_first ? bit % 8 : 7 - bit % 8) & 1;
-    }
+    v = (v >> 1 & 0x5555555555555555) | (v & 0x5555555555555555) << 1;
+    v = (v >> 2 & 0x3333333333333333) | (v & 0x3333333333333333) << 2;
+    return (v >> 4 & 0x0f0f0f0f0f0f0f0f) | (v & 0x0f0f0f0f0f0f0f0f) << 4;
+}
+
+uint32_t fgl_unpack_bits(const struct pixel_image *image, int row, int column, int n)
+{
+    const int first = image->first_bit + column, bytes = (first + n - 1) / 8 - first / 8 + 1;
+    const uint8_t *from = fgl_pixel_row(image, row) + first / 8;
+    uint64_t bits = 0;
+    for (int i = 0; i < bytes; i++)
+        bits |= (uint64_t)from[i] << (8 * i);
+    if (!image->lsb_first)
+        bits = reverse_bits(bits);
+    return (uint32_t)(bits >> first % 8) & 0xffffffff >> (BITMAP_CHUNK - n);
 }
 
 /* ---- copies for display lists ---- */
 
 static void copy_bits(const struct pixel_image *image, int row, int width, uint8_t *out)
 {
-    memset(out, 0, ((size_t)width + 7) / 8);
-    for (int x = 0; x < width; x++) {
-        uint8_t bit;
-        fgl_unpack_bits(image, row, x, 1, &bit);
-        out[x / 8] = (uint8_t)(out[x / 8] | bit << (7 - x % 8));
-    }
+    for (int x = 0; x < width; x += 8)
+        out[x / 8] = (uint8_t)reverse_bits(fgl_unpack_bits(image, row, x, fgl_min(8, width - x)));
 }
 
 void fgl_pixel_copy(const struct pixel_store *store, GLenum format, GLenum type, int width, int height,

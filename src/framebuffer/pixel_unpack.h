@@ -38,8 +38,9 @@ void fgl_unpack_depth_texels(const struct pixel_unpack *unpack, int row, int col
 /* GL_STENCIL_INDEX. */
 void fgl_unpack_stencil(const struct pixel_unpack *unpack, int row, int column, int n, int32_t *out);
 
-/* Bits of a bitmap: n values 0 or 1. */
-void fgl_unpack_bits(const struct pixel_image *image, int row, int column, int n, uint8_t *out);
+/* n <= 32 pixels of a bitmap: bit i is pixel column + i. */
+enum { BITMAP_CHUNK = 32 };
+uint32_t fgl_unpack_bits(const struct pixel_image *image, int row, int column, int n);
 
 /* Copies an image of width x height pixels to `out`, as a display list keeps it: tightly packed, bytes in our order, first bit
  * highest. Room: fgl_pixel_image_bytes(&fgl_packed_store, ...). */

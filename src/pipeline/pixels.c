@@ -3,6 +3,7 @@
 #include "base/color_index.h"
 #include "pipeline/pipeline.h"
 
+#include <stddef.h>
 #include <string.h>
 
 /* OSMesa rules: z goes through clip space (not in exact mode); pixel rectangles have the fog coordinate 0, and no secondary
@@ -10,9 +11,16 @@
 static void set_planes(struct planes *p, enum fgl_arith arith, const struct current_state *current)
 {
     const float z = current->raster_position[2], clip_z = z * 2.0f - 1.0f;
-    memset(p, 0, sizeof *p);
+    for (int lane = 0; lane < LANE_TEX0; lane++) /* no other is read */
+        fgl_plane_set(p, arith, lane, 0);
     fgl_plane_set(p, arith, LANE_OOW, 1);
     fgl_plane_set(p, arith, LANE_Z, (double)(arith == ARITH_EXACT ? z : clip_z * 0.5f + 0.5f));
+    if (arith == ARITH_EXACT)
+        p->exact.z_offset = 0;
+    else
+        p->z_offset = 0;
+    p->smoothing = SMOOTH_NONE;
+    p->stipple = NULL;
 }
 
 /* GL 1.5, 3.9 "Color Sum". */
@@ -25,9 +33,8 @@ static bool color_sum(const struct server_state *s)
 void fgl_pixels_begin(struct context *ctx, enum pixel_kind kind, struct pixel_draw *draw)
 {
     struct fragment_plan *f = &draw->fragment;
-    struct raster_plan raster;
 
-    memset(f, 0, sizeof *f);
+    memset(f, 0, offsetof(struct fragment_plan, texture));
     memset(&draw->inputs, 0, sizeof draw->inputs);
     f->arith = fgl_context_arith(ctx);
     f->color_source = kind == PIXELS_COLOR ? COLOR_IMAGE : COLOR_CONSTANT;
@@ -47,8 +54,7 @@ void fgl_pixels_begin(struct context *ctx, enum pixel_kind kind, struct pixel_dr
         f->has_fog = false; /* OSMesa rules */
         f->textures = 0;
     }
-    fgl_raster_validate(&raster, &ctx->s, f);
-    draw->bounds = raster.bounds;
+    draw->bounds = fgl_raster_bounds(&ctx->s.scissor, ctx->framebuffer);
     set_planes(&draw->planes, f->arith, &ctx->s.current);
     if (ctx->color_index) /* GL 1.5, 3.6.4: the data of the raster position, its distance too */
         fgl_plane_set(&draw->planes, f->arith, LANE_FOG, (double)ctx->s.current.raster_distance);
@@ -62,10 +68,17 @@ bool fgl_pixels_take_unorm8(const struct pixel_draw *draw)
     return f->color_source == COLOR_IMAGE && f->fb->color_kind == COLOR_UNORM8 && drawn && !f->textures && !f->has_fog;
 }
 
+void fgl_pixels_runs(const struct pixel_draw *draw, const struct runs *runs)
+{
+    draw->fragment.fill(&draw->fragment, &draw->planes, runs);
+}
+
 void fgl_pixels_run(const struct pixel_draw *draw, int y, int x0, int x1)
 {
-    struct runs runs = {.y = y, .n = 1};
+    struct runs runs; /* but for one not initialised, which would take longer than to draw it */
+    runs.y = y;
+    runs.n = 1;
     runs.x0[0] = x0;
     runs.x1[0] = x1;
-    draw->fragment.fill(&draw->fragment, &draw->planes, &runs);
+    fgl_pixels_runs(draw, &runs);
 }

@@ -20,7 +20,8 @@ void fgl_pixels_begin(struct context *ctx, enum pixel_kind kind, struct pixel_dr
 /* Whether colours go to a buffer of bytes as they come, so that they may as well come as bytes: inputs.unorm8. */
 bool fgl_pixels_take_unorm8(const struct pixel_draw *draw);
 
-/* Draws the pixels x0 <= x < x1 of row y, y down, all inside the bounds. */
+/* Draws pixels, all inside the bounds; x0 <= x < x1 of row y, y down. */
+void fgl_pixels_runs(const struct pixel_draw *draw, const struct runs *runs);
 void fgl_pixels_run(const struct pixel_draw *draw, int y, int x0, int x1);
 
 #endif
