@@ -25,7 +25,7 @@ void fgl_exec_Accum(struct context *ctx, GLenum op, GLfloat value)
     fgl_flush_vertices(ctx, 0);
     if (ctx->render_mode != GL_RENDER)
         return;
-    RETURN_ERROR_IF(ctx, !fgl_framebuffer_need_accum(fb), GL_OUT_OF_MEMORY);
+    RETURN_ERROR_IF(ctx, !fgl_accum_ready(fb), GL_OUT_OF_MEMORY);
     const struct rect r = fgl_raster_bounds(&ctx->s.scissor, fb);
     switch (op) {
     case GL_ACCUM:

@@ -61,8 +61,6 @@ void fgl_exec_Clear(struct context *ctx, GLbitfield mask)
         fgl_clear_stencil(fb, r, ctx->s.stencil.stencil_clear_value, ctx->s.stencil.stencil_writemask);
     if (FGL_UNLIKELY(ctx->pipeline->explain != NULL))
         fgl_explain_clear(ctx, mask, r);
-    if ((mask & GL_ACCUM_BUFFER_BIT) && fb->accum_bits) {
-        RETURN_ERROR_IF(ctx, !fgl_framebuffer_need_accum(fb), GL_OUT_OF_MEMORY);
-        fgl_accum_clear(fb, r, ctx->s.accum.accum_clear_value);
-    }
+    if ((mask & GL_ACCUM_BUFFER_BIT) && fb->accum_bits && !fgl_accum_clear(fb, r, ctx->s.accum.accum_clear_value))
+        fgl_error(ctx, GL_OUT_OF_MEMORY);
 }

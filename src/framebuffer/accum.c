@@ -2,6 +2,8 @@
 #include "framebuffer/accum.h"
 #include "framebuffer/rows.h"
 
+#include <string.h>
+
 enum { ACCUM_CHUNK = 256 }; /* pixels */
 
 static int16_t *accum_at(struct framebuffer *fb, int x, int y)
@@ -14,17 +16,41 @@ static int16_t wrapped(float v)
     return v > -2147483648.0f && v < 2147483648.0f ? (int16_t)(uint16_t)(int32_t)v : 0;
 }
 
-void fgl_accum_clear(struct framebuffer *fb, struct rect r, const float value[4])
+static void fill(struct framebuffer *fb, struct rect r, const int16_t value[4])
 {
-    int16_t clear[4];
-    for (int c = 0; c < 4; c++) /* OSMesa rule: as GL 1.5, table 4.7 converts to 16 bits */
-        clear[c] = (int16_t)((int32_t)(65535.0f * value[c] - 1.0f) / 2);
     for (int y = r.y0; y < r.y1; y++) {
         int16_t *a = accum_at(fb, r.x0, y);
         for (int i = 0; i < r.x1 - r.x0; i++, a += 4)
             for (int c = 0; c < 4; c++)
-                a[c] = clear[c];
+                a[c] = value[c];
     }
+}
+
+bool fgl_accum_ready(struct framebuffer *fb)
+{
+    if (!fgl_framebuffer_need_accum(fb))
+        return false;
+    if (fb->accum_waits)
+        fill(fb, (struct rect){0, 0, fb->width, fb->height}, fb->accum_cleared);
+    fb->accum_waits = false;
+    return true;
+}
+
+bool fgl_accum_clear(struct framebuffer *fb, struct rect r, const float value[4])
+{
+    const bool whole = r.x0 == 0 && r.y0 == 0 && r.x1 == fb->width && r.y1 == fb->height;
+    int16_t clear[4];
+    for (int c = 0; c < 4; c++) /* OSMesa rule: as GL 1.5, table 4.7 converts to 16 bits */
+        clear[c] = (int16_t)((int32_t)(65535.0f * value[c] - 1.0f) / 2);
+    if (whole) {
+        memcpy(fb->accum_cleared, clear, sizeof clear);
+        fb->accum_waits = true;
+        return true;
+    }
+    if (!fgl_accum_ready(fb))
+        return false;
+    fill(fb, r, clear);
+    return true;
 }
 
 static void fetch_565(const uint16_t *FGL_RESTRICT p, int n, float *FGL_RESTRICT color)

@@ -5,8 +5,12 @@
 
 #include "framebuffer/framebuffer.h"
 
-/* All work on the pixels of r; the buffer exists. */
-void fgl_accum_clear(struct framebuffer *fb, struct rect r, const float value[4]);
+/* Makes it ready for all below but fgl_accum_clear, which does so itself. False when memory is short. */
+bool fgl_accum_ready(struct framebuffer *fb);
+
+/* All work on the pixels of r. Programs clear it along with the other buffers and seldom use it, so a clear of the whole is put off until
+ * then. False when memory is short. */
+bool fgl_accum_clear(struct framebuffer *fb, struct rect r, const float value[4]);
 /* Adds (or stores) colour times value. */
 void fgl_accum_color(struct framebuffer *fb, struct rect r, float value, bool add);
 void fgl_accum_add(struct framebuffer *fb, struct rect r, float value);

@@ -37,6 +37,7 @@ bool fgl_framebuffer_resize(struct framebuffer *fb, int width, int height, enum 
     n.depth = fb->depth_bits ? plane_alloc(n.stride, height, sizeof *n.depth) : NULL;
     n.stencil = NULL;
     n.accum = NULL;
+    n.accum_waits = false;
     if (!n.color || (fb->depth_bits && !n.depth)) {
         free(n.color);
         free(n.depth);

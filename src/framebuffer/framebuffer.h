@@ -35,6 +35,8 @@ struct framebuffer {
     int depth_bits, stencil_bits, accum_bits;
     uint8_t *stencil;   /* NULL until first used */
     int16_t *accum;     /* four a pixel, 32767 = 1.0; NULL until first used */
+    bool accum_waits;   /* all of it was cleared to accum_cleared, which is done when it is used: fgl_accum_ready */
+    int16_t accum_cleared[4];
     bool drawn;         /* something was rendered since the last copy to the caller's buffer */
 };
 

@@ -89,8 +89,47 @@ static void signed_depths(void **state)
     }
 }
 
+/* What GL_RETURN makes of the accumulation buffer's red at (x, 0), of 255. */
+static int accumulated(int x)
+{
+    GLubyte pixel[4];
+    glAccum(GL_RETURN, 1);
+    glReadPixels(x, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+    return pixel[0];
+}
+
+static void clear_accum(float red)
+{
+    glClearAccum(red, 0, 0, 1);
+    glClear(GL_ACCUM_BUFFER_BIT);
+}
+
+/* A clear of the whole is put off until the buffer is used; no order of clears and uses shows it. */
+static void accumulation(void **state)
+{
+    clear_accum(1);
+    glClearAccum(0.25f, 0, 0, 1); /* of no clear yet */
+    assert_int_equal(accumulated(9), 255);
+    clear_accum(0.5f);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, 0, 5, 5);
+    clear_accum(1);
+    glDisable(GL_SCISSOR_TEST);
+    assert_int_equal(accumulated(4), 255);
+    assert_int_equal(accumulated(5), 127);
+    glAccum(GL_ADD, 0.25f);
+    assert_int_equal(accumulated(5), 191);
+    clear_accum(0.5f);
+    clear_accum(0);
+    assert_int_equal(accumulated(4), 0);
+    clear_accum(1);
+    assert_true(OSMesaMakeCurrent(*state, picture, GL_UNSIGNED_BYTE, TEST_SIZE / 2, TEST_SIZE)); /* a new buffer */
+    assert_int_equal(accumulated(9), 0);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {GL_TEST(depth_of_a_part), GL_TEST(color_of_a_part), GL_TEST(signed_depths)};
+    const struct CMUnitTest tests[] = {GL_TEST(depth_of_a_part), GL_TEST(color_of_a_part), GL_TEST(signed_depths),
+                                       GL_TEST(accumulation)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
