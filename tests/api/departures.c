@@ -57,7 +57,16 @@ static void pop_restores_what_changed_inside_an_inner_push(void **state)
     assert_int_equal(glIsEnabled(GL_LIGHTING), on_fixedgl() ? GL_FALSE : GL_TRUE);
 }
 
-/* popped-color-sum. GL 1.5, table 6.8: GL_COLOR_SUM belongs to fog and enable. */
+/* popped-fog. GL 1.5, table 6.8: the source of fog coordinates belongs to fog, GL_COLOR_SUM to fog and enable. */
+static void pop_restores_the_source_of_fog_coordinates(void **state)
+{
+    (void)state;
+    glPushAttrib(GL_FOG_BIT);
+    glFogi(GL_FOG_COORD_SRC, GL_FOG_COORD);
+    glPopAttrib();
+    EXPECT_VALUES(GL_FOG_COORD_SRC, on_fixedgl() ? GL_FRAGMENT_DEPTH : GL_FOG_COORD);
+}
+
 static void pop_restores_the_color_sum(void **state)
 {
     const GLbitfield bits[] = {GL_ENABLE_BIT, GL_FOG_BIT};
@@ -196,6 +205,7 @@ int main(void)
             GL_TEST(pop_restores_an_unused_color),
             GL_TEST(pop_restores_an_unused_material),
             GL_TEST(pop_restores_what_changed_inside_an_inner_push),
+            GL_TEST(pop_restores_the_source_of_fog_coordinates),
             GL_TEST(pop_restores_the_color_sum),
             GL_TEST(tracked_materials_follow_a_restored_color),
             GL_TEST(edges_show_after_filling),

@@ -60,14 +60,22 @@ static bool is_color_sum(const struct script *s, int i, int command)
     return i < s->ops && s->op[i].command == command && s->value[s->op[i].first] == GL_COLOR_SUM;
 }
 
+static bool is_fog_source(const struct script *s, int i)
+{
+    return i < s->ops && s->op[i].command == CMD_Fogi && s->value[s->op[i].first] == GL_FOG_COORD_SRC;
+}
+
 static bool fair_pop(const struct script *s, int i)
 {
     const int before = i > 0 ? s->op[i - 1].command : -1, after = i + 1 < s->ops ? s->op[i + 1].command : -1;
-    bool sums = false;
-    for (int k = 0; k < i; k++)
+    bool sums = false, sources = false;
+    for (int k = 0; k < i; k++) {
         sums = sums || is_color_sum(s, k, CMD_Enable);
+        sources = sources || is_fog_source(s, k);
+    }
     return before == CMD_End && attribute_of(after) == 2 &&
-           (!sums || is_color_sum(s, i + 2, CMD_Enable) || is_color_sum(s, i + 2, CMD_Disable));
+           (!sums || is_color_sum(s, i + 2, CMD_Enable) || is_color_sum(s, i + 2, CMD_Disable)) &&
+           (!sources || is_fog_source(s, i + 2) || is_fog_source(s, i + 3));
 }
 
 /* Neither GL_COLOR_SUM nor GL_SEPARATE_SPECULAR_COLOR was the last of its kind before command i. */

@@ -15,8 +15,8 @@
  *   - drawing into buffers that were never cleared;
  *   - glAccum before the buffer was cleared; meshes before a glMapGrid;
  *   - glRenderMode(GL_FEEDBACK or GL_SELECT) without a buffer given just before it;
- *   - PushAttrib within another, or PopAttrib with nothing drawn just before it, or without a color after it and, in a script that
- *     enables it, GL_COLOR_SUM;
+ *   - PushAttrib within another, or PopAttrib with nothing drawn just before it, without a color after it or, in a script that
+ *     changes these, without GL_COLOR_SUM and GL_FOG_COORD_SRC;
  *   - a bitmap while secondary colors are added.
  * Only such scripts are kept when a differing one is shortened, lest it turn into one of these. */
 bool script_is_fair(const struct script *s);

@@ -126,8 +126,11 @@ void feature_attrib_stack(struct generator *g)
     EMIT0(g, End);
     EMIT0(g, PopAttrib);
     emit_color(g);
-    if (g->enabled[FEATURE_color_sum]) /* which OSMesa does not bring back (departure popped-color-sum) */
+    /* Two that OSMesa does not bring back (departure popped-fog). */
+    if (g->enabled[FEATURE_color_sum])
         toggle(g, GL_COLOR_SUM, 80);
+    if (g->enabled[FEATURE_fog_coordinate])
+        EMIT(g, Fogi, GL_FOG_COORD_SRC, ONE_OF(g, GL_FOG_COORD, GL_FRAGMENT_DEPTH));
     settle_shade_model(g);
     random_draw(g);
 }
