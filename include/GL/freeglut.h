@@ -86,7 +86,7 @@ GLUTAPI void GLUTAPIENTRY glutInitContextProfile(int profile);
 /* Called in place of printing: errors, after which the program ends even if it returns, and warnings. */
 GLUTAPI void GLUTAPIENTRY glutInitErrorFunc(void (*func)(const char *format, va_list arguments));
 GLUTAPI void GLUTAPIENTRY glutInitWarningFunc(void (*func)(const char *format, va_list arguments));
-/* Destroys all windows and forgets glutInit; to be called outside of the main loop. */
+/* Destroys all windows and forgets glutInit; to be called outside of the main loop. Does nothing before glutInit. */
 GLUTAPI void GLUTAPIENTRY glutExit(void);
 /* The values that a display mode can have: `*size` of them, NULL for none. */
 GLUTAPI int *GLUTAPIENTRY glutGetModeValues(GLenum mode, int *size);

@@ -16,6 +16,7 @@
 #ifndef GLUT_H
 #define GLUT_H
 
+#include <stdlib.h> /* programs count on GLUT's header for exit */
 #include <GL/gl.h>
 #include <GL/glu.h>
 

@@ -174,7 +174,7 @@ static void copy_image(struct context *ctx, struct texture_call *call, int x, in
     error = source_error(ctx, format);
     RETURN_ERROR_IF(ctx, error, error);
     fgl_flush_vertices(ctx, 0);
-    if (!fgl_texture_define(ctx, call, &t))
+    if (!fgl_texture_define(ctx, call, false, &t))
         return;
     const int border = call->border, border_y = call->dimensions > 1 ? border : 0;
     struct texture_image *image = fgl_target_image(ctx, &t, call->level);

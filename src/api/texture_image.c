@@ -107,10 +107,11 @@ static GLenum sub_image_error(struct context *ctx, const struct texture_call *ca
 
 /* ---- images ---- */
 
-bool fgl_texture_define(struct context *ctx, const struct texture_call *call, const struct image_target *t)
+bool fgl_texture_define(struct context *ctx, const struct texture_call *call, bool swap_bytes, const struct image_target *t)
 {
     const GLenum internal_format = (GLenum)call->internal_format;
-    const struct image_shape shape = {internal_format, fgl_texture_format_for(internal_format, call->format, call->type), call->width, call->height, call->depth, call->border};
+    const struct texture_format *kept = fgl_texture_format_for(internal_format, call->format, call->type, swap_bytes);
+    const struct image_shape shape = {internal_format, kept, call->width, call->height, call->depth, call->border};
     if (!t->proxy)
         fgl_texture_touch(ctx, fgl_bound_texture(ctx, t->target));
     if (fgl_texture_image_define(fgl_target_image(ctx, t, call->level), t->target, &shape, t->proxy))
@@ -150,7 +151,7 @@ static void execute_image(struct context *ctx, const struct texture_call *call, 
     RETURN_ERROR_IF(ctx, !t.proxy && is_beyond_memory(call, t.target), GL_OUT_OF_MEMORY);
     if (!t.proxy && !find_pixels(ctx, call, source))
         return;
-    if (!fgl_texture_define(ctx, call, &t) || t.proxy)
+    if (!fgl_texture_define(ctx, call, source->store->swap_bytes, &t) || t.proxy)
         return;
     if (source->pixels)
         fgl_texture_store_image(ctx, call, source, fgl_target_image(ctx, &t, call->level));

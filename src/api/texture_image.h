@@ -28,8 +28,8 @@ GLenum fgl_texture_define_error(const struct texture_call *call, const struct im
 /* The error of a part of the image that is not inside of it, or of no image (GL 1.5, 3.8.2). */
 GLenum fgl_texture_part_error(const struct texture_call *call, const struct texture_image *image);
 
-/* Makes the image anew, without texels set; false after recording GL_OUT_OF_MEMORY. */
-bool fgl_texture_define(struct context *ctx, const struct texture_call *call, const struct image_target *t);
+/* Makes the image anew, without texels set, for pixels with or without swapped bytes; false after recording GL_OUT_OF_MEMORY. */
+bool fgl_texture_define(struct context *ctx, const struct texture_call *call, bool swap_bytes, const struct image_target *t);
 
 /* Texels from pixels: of the whole image, or of the part that a glTexSubImage names. texture_store.c */
 void fgl_texture_store_image(struct context *ctx, const struct texture_call *call, const struct pixel_source *source,

@@ -71,13 +71,14 @@ const struct pixel_type *fgl_pixel_type(GLenum type)
     return NULL;
 }
 
-/* Whether a packed type may hold the format: table 3.8; three fields are for GL_RGB alone, two for GL_DEPTH_STENCIL. */
+/* Whether a packed type may hold the format: table 3.8; three fields are for GL_RGB alone, two for GL_DEPTH_STENCIL. OSMesa rule:
+ * GL_ABGR_EXT, which the table has not, goes with fields of one size. */
 static bool fields_fit(const struct pixel_type *t, const struct pixel_format *f)
 {
     switch (t->fields) {
     case 2: return f->format == GL_DEPTH_STENCIL;
     case 3: return f->format == GL_RGB;
-    default: return f->components == 4;
+    default: return f->components == 4 && (f->format != GL_ABGR_EXT || t->bits[0] == t->bits[3]);
     }
 }
 

@@ -149,7 +149,8 @@ void glutSetOption(GLenum option, int value)
 
 void glutExit(void)
 {
-    fgl_glut_require_init("glutExit");
+    if (!fgl_glut.initialized) /* as from an error function, which glutInit need not have gone before */
+        return;
     for (struct window *w = fgl_glut.windows; w; w = w->next)
         if (!w->destroyed)
             glutDestroyWindow(w->id);

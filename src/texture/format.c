@@ -160,12 +160,16 @@ static const struct {
         {GL_RGBA, GL_RGBA, GL_UNSIGNED_SHORT_1_5_5_5_REV, GL_RGB5_A1},
         {GL_RGBA, GL_RGBA, GL_UNSIGNED_INT_10_10_10_2, GL_RGB10_A2},
         {GL_RGBA, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV, GL_RGB10_A2},
+        {GL_RGBA, GL_ABGR_EXT, GL_UNSIGNED_SHORT_4_4_4_4, GL_RGBA4},
+        {GL_RGBA, GL_ABGR_EXT, GL_UNSIGNED_SHORT_4_4_4_4_REV, GL_RGBA4},
         {GL_DEPTH_COMPONENT, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, GL_DEPTH_COMPONENT16},
         {GL_DEPTH_COMPONENT, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, GL_DEPTH_COMPONENT32},
 };
 
-const struct texture_format *fgl_texture_format_for(GLenum internal_format, GLenum format, GLenum type)
+const struct texture_format *fgl_texture_format_for(GLenum internal_format, GLenum format, GLenum type, bool swap_bytes)
 {
+    if (swap_bytes && type != GL_UNSIGNED_SHORT_5_5_5_1 && type != GL_UNSIGNED_INT_2_10_10_10_REV)
+        return fgl_texture_format(internal_format);
     if (internal_format == GL_RGBA && format == GL_RGBA && type == GL_UNSIGNED_SHORT)
         return fgl_texture_format(GL_RGBA16);
     if (format == GL_BGRA)

@@ -56,7 +56,7 @@ static inline bool fgl_texture_format_drawable(const struct texture_format *form
 const struct texture_format *fgl_texture_format(GLenum internal_format);
 
 /* The same for an image of pixels of this format and type. OSMesa rule: unsized formats have the precision of some packed types, and of
- * words. */
-const struct texture_format *fgl_texture_format_for(GLenum internal_format, GLenum format, GLenum type);
+ * words; swapped bytes undo that, but for two types. */
+const struct texture_format *fgl_texture_format_for(GLenum internal_format, GLenum format, GLenum type, bool swap_bytes);
 
 #endif

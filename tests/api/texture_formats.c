@@ -137,8 +137,41 @@ static void drawing(void **state)
     expect_drawn(GL_LUMINANCE32F_ARB, (const GLuint[N]){0x0d0d0d80, 0xbfbfbf80, 0xffffff80, 0x01010180});
 }
 
+/* What an unsized format keeps of packed pixels, and of words (OSMesa rule): more or less than 8 bits, unless their bytes are swapped. */
+static void bits_for_pixels(void **state)
+{
+    (void)state;
+    static const struct {
+        GLint internal_format;
+        GLenum format, type;
+        GLint red, alpha, swapped_red, swapped_alpha;
+    } kept[] = {{GL_RGB, GL_RGB, GL_UNSIGNED_SHORT_5_6_5, 5, 0, 8, 0},
+                {GL_RGB, GL_RGB, GL_UNSIGNED_BYTE_3_3_2, 3, 0, 8, 0},
+                {GL_RGB, GL_RGBA, GL_UNSIGNED_SHORT_5_5_5_1, 5, 0, 5, 0},
+                {GL_RGBA, GL_RGBA, GL_UNSIGNED_SHORT, 16, 16, 8, 8},
+                {GL_RGBA, GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4, 4, 4, 8, 8},
+                {GL_RGBA, GL_ABGR_EXT, GL_UNSIGNED_SHORT_4_4_4_4_REV, 4, 4, 8, 8},
+                {GL_RGBA, GL_ABGR_EXT, GL_UNSIGNED_INT_8_8_8_8, 8, 8, 8, 8},
+                {GL_RGBA, GL_BGRA, GL_UNSIGNED_SHORT_5_5_5_1, 5, 1, 5, 1},
+                {GL_RGBA, GL_BGRA, GL_UNSIGNED_SHORT_1_5_5_5_REV, 5, 1, 8, 8},
+                {GL_RGBA, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV, 10, 2, 10, 2},
+                {GL_RGBA, GL_RGBA, GL_UNSIGNED_INT_10_10_10_2, 10, 2, 8, 8},
+                {GL_RGBA8, GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4, 8, 8, 8, 8}};
+    for (size_t i = 0; i < sizeof kept / sizeof *kept; i++)
+        for (GLint swap = 0; swap < 2; swap++) {
+            GLint red = -1, alpha = -1;
+            glPixelStorei(GL_UNPACK_SWAP_BYTES, swap);
+            glTexImage2D(GL_TEXTURE_2D, 0, kept[i].internal_format, 1, 1, 0, kept[i].format, kept[i].type, given);
+            glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_RED_SIZE, &red);
+            glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_ALPHA_SIZE, &alpha);
+            if (red != (swap ? kept[i].swapped_red : kept[i].red) || alpha != (swap ? kept[i].swapped_alpha : kept[i].alpha))
+                fail_msg("row %zu, swapped %d: %d bits of red, %d of alpha", i, swap, red, alpha);
+        }
+    assert_int_equal(glGetError(), GL_NO_ERROR);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {GL_TEST(floats), GL_TEST(signed_integers), GL_TEST(srgb), GL_TEST(sizes), GL_TEST(drawing)};
+    const struct CMUnitTest tests[] = {GL_TEST(floats), GL_TEST(signed_integers), GL_TEST(srgb), GL_TEST(sizes), GL_TEST(drawing), GL_TEST(bits_for_pixels)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -91,6 +91,27 @@ static void test_data_and_ends(void **state)
     expect_run(data_and_ends, VARIABLES("FIXEDGL_FRAMES=1"), 0, "1;1;1;1;menu 1 gone;0 1;1 0;closed;0\n");
 }
 
+static void ends_itself(const char *format, va_list arguments)
+{
+    (void)format, (void)arguments;
+    glutExit(); /* before glutInit: nothing to end */
+    printf("ended\n");
+    exit(3);
+}
+
+static void error_before_init(void)
+{
+    glutExit(); /* forgets glutInit */
+    glutInitErrorFunc(ends_itself);
+    glutCreateWindow("none");
+}
+
+static void test_error_before_init(void **state)
+{
+    (void)state;
+    expect_run(error_before_init, VARIABLES("FIXEDGL_FRAMES=1"), 3, "ended\n");
+}
+
 static void called(void)
 {
     printf("context;");
@@ -149,7 +170,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
             cmocka_unit_test(test_strings),
-            cmocka_unit_test(test_data_and_ends),
+            cmocka_unit_test(test_data_and_ends), cmocka_unit_test(test_error_before_init),
             cmocka_unit_test(test_context),
             cmocka_unit_test(test_reports),
     };
