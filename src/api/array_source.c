@@ -46,6 +46,8 @@ void fgl_array_source(const struct context *ctx, struct vertex_source *source)
                                                .stride = v->stride ? v->stride : v->size * type_bytes(v->type)};
         if (v->buffer)
             place_in_buffer(&source->attr[a], v);
+        else if (!v->pointer) /* enabled, but never given: nothing is read, as of an empty buffer object */
+            source->attr[a].bounded = true;
     }
 }
 

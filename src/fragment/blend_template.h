@@ -68,6 +68,10 @@ static FGL_NOINLINE void T(blend_channel)(const struct color_buffer_state *s, bo
 #endif
     if (lerp)
         FOR_ELEMENTS(i) out[i] = (ELEMENT)LERP(a[i], b[i], fa[i]);
+    else if (src_factor == GL_ZERO && equation != GL_FUNC_SUBTRACT) /* OSMesa rule: ZERO's product is left out, so -0 stays -0 */
+        FOR_ELEMENTS(i) out[i] = (ELEMENT)MUL(b[i], fb[i]);
+    else if (dst_factor == GL_ZERO && equation != GL_FUNC_REVERSE_SUBTRACT)
+        FOR_ELEMENTS(i) out[i] = (ELEMENT)MUL(a[i], fa[i]);
     else if (equation == GL_FUNC_ADD)
         FOR_ELEMENTS(i) out[i] = (ELEMENT)ADD(MUL(a[i], fa[i]), MUL(b[i], fb[i]));
     else if (equation == GL_FUNC_SUBTRACT)

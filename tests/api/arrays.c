@@ -128,6 +128,20 @@ static void counted_pointers(void **state)
     }
 }
 
+/* An array that is enabled but was never given: OSMesa reads address 0. */
+static void not_given(void **state)
+{
+    (void)state;
+    if (!on_fixedgl())
+        return;
+    glClear(GL_COLOR_BUFFER_BIT);
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glEnableClientState(GL_COLOR_ARRAY);
+    EXPECT_NO_ERROR(glDrawArrays(GL_TRIANGLES, 0, 3));
+    EXPECT_NO_ERROR(glArrayElement(2));
+    EXPECT_VALUES(GL_CURRENT_COLOR, 0, 0, 0, 0);
+}
+
 static void interleaved(void **state)
 {
     (void)state;
@@ -166,6 +180,6 @@ static void interleaved(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {GL_TEST(pointers), GL_TEST(enables), GL_TEST(types),
-                                       GL_TEST(counted_pointers), GL_TEST(interleaved)};
+                                       GL_TEST(counted_pointers), GL_TEST(interleaved), GL_TEST(not_given)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
