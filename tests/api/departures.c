@@ -57,27 +57,30 @@ static void pop_restores_what_changed_inside_an_inner_push(void **state)
     assert_int_equal(glIsEnabled(GL_LIGHTING), on_fixedgl() ? GL_FALSE : GL_TRUE);
 }
 
-/* popped-fog. GL 1.5, table 6.8: the source of fog coordinates belongs to fog, GL_COLOR_SUM to fog and enable. */
-static void pop_restores_the_source_of_fog_coordinates(void **state)
+/* popped-state. GL 1.5, tables 6.8 and 6.10: GL_COLOR_SUM belongs to fog and enable, lights' switches to lighting and enable. */
+static void pop_restores_what_was_enabled(void **state)
 {
+    static const GLenum caps[][2] = {{GL_FOG_BIT, GL_COLOR_SUM}, {GL_ENABLE_BIT, GL_COLOR_SUM}, {GL_ENABLE_BIT, GL_LIGHT5}};
     (void)state;
-    glPushAttrib(GL_FOG_BIT);
-    glFogi(GL_FOG_COORD_SRC, GL_FOG_COORD);
-    glPopAttrib();
-    EXPECT_VALUES(GL_FOG_COORD_SRC, on_fixedgl() ? GL_FRAGMENT_DEPTH : GL_FOG_COORD);
+    for (int i = 0; i < 3; i++) {
+        glPushAttrib(caps[i][0]);
+        glEnable(caps[i][1]);
+        glPopAttrib();
+        assert_int_equal(glIsEnabled(caps[i][1]), on_fixedgl() ? GL_FALSE : GL_TRUE);
+        glDisable(caps[i][1]);
+    }
 }
 
-static void pop_restores_the_color_sum(void **state)
+/* popped-state. GL 1.5, tables 6.8 and 6.28. */
+static void pop_restores_the_source_of_fog_coordinates_and_hints(void **state)
 {
-    const GLbitfield bits[] = {GL_ENABLE_BIT, GL_FOG_BIT};
     (void)state;
-    for (int i = 0; i < 2; i++) {
-        glPushAttrib(bits[i]);
-        glEnable(GL_COLOR_SUM);
-        glPopAttrib();
-        assert_int_equal(glIsEnabled(GL_COLOR_SUM), on_fixedgl() ? GL_FALSE : GL_TRUE);
-        glDisable(GL_COLOR_SUM);
-    }
+    glPushAttrib(GL_FOG_BIT | GL_HINT_BIT);
+    glFogi(GL_FOG_COORD_SRC, GL_FOG_COORD);
+    glHint(GL_GENERATE_MIPMAP_HINT, GL_NICEST);
+    glPopAttrib();
+    EXPECT_VALUES(GL_FOG_COORD_SRC, on_fixedgl() ? GL_FRAGMENT_DEPTH : GL_FOG_COORD);
+    EXPECT_VALUES(GL_GENERATE_MIPMAP_HINT, on_fixedgl() ? GL_DONT_CARE : GL_NICEST);
 }
 
 /* GL 1.5, 2.14.3: tracked material parameters have the current colour, wherever it comes from. */
@@ -205,8 +208,8 @@ int main(void)
             GL_TEST(pop_restores_an_unused_color),
             GL_TEST(pop_restores_an_unused_material),
             GL_TEST(pop_restores_what_changed_inside_an_inner_push),
-            GL_TEST(pop_restores_the_source_of_fog_coordinates),
-            GL_TEST(pop_restores_the_color_sum),
+            GL_TEST(pop_restores_what_was_enabled),
+            GL_TEST(pop_restores_the_source_of_fog_coordinates_and_hints),
             GL_TEST(tracked_materials_follow_a_restored_color),
             GL_TEST(edges_show_after_filling),
             GL_TEST(unlit_secondary_colors_are_not_summed),

@@ -114,9 +114,13 @@ void feature_attrib_stack(struct generator *g)
     static const double masks[] = {GL_CURRENT_BIT, GL_POINT_BIT, GL_LINE_BIT, GL_POLYGON_BIT, GL_POLYGON_STIPPLE_BIT, GL_LIGHTING_BIT,
                                    GL_FOG_BIT, GL_DEPTH_BUFFER_BIT, GL_STENCIL_BUFFER_BIT, GL_VIEWPORT_BIT, GL_TRANSFORM_BIT, GL_ENABLE_BIT,
                                    GL_COLOR_BUFFER_BIT, GL_HINT_BIT, GL_LIST_BIT, GL_SCISSOR_BIT};
-    const double mask = chance(g, 40) ? (double)GL_ALL_ATTRIB_BITS : chance(g, 50) ? one_of(g, 16, masks) : below(g, 0x100000);
-    /* OSMesa does not bring clip planes back rightly. */
-    EMIT(g, PushAttrib, (double)((unsigned)mask & ~(g->enabled[FEATURE_clip_plane] ? (unsigned)GL_TRANSFORM_BIT : 0u)));
+    const double bits = chance(g, 40) ? (double)GL_ALL_ATTRIB_BITS : chance(g, 50) ? one_of(g, 16, masks) : below(g, 0x100000);
+    unsigned mask = (unsigned)bits;
+    if (g->enabled[FEATURE_clip_plane]) /* OSMesa does not bring clip planes back rightly */
+        mask &= ~(unsigned)GL_TRANSFORM_BIT;
+    if (g->enabled[FEATURE_lighting] && (mask & GL_ENABLE_BIT)) /* which brings no lights back (departure popped-state) */
+        mask |= GL_LIGHTING_BIT;
+    EMIT(g, PushAttrib, (double)mask);
     g->pushed = true;
     emit_body(g);
     g->pushed = false;
@@ -126,7 +130,7 @@ void feature_attrib_stack(struct generator *g)
     EMIT0(g, End);
     EMIT0(g, PopAttrib);
     emit_color(g);
-    /* Two that OSMesa does not bring back (departure popped-fog). */
+    /* Two that OSMesa does not bring back (departure popped-state). */
     if (g->enabled[FEATURE_color_sum])
         toggle(g, GL_COLOR_SUM, 80);
     if (g->enabled[FEATURE_fog_coordinate])

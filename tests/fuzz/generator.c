@@ -148,6 +148,8 @@ void random_position(struct generator *g, double position[4])
         if (g->grid > 0.0 && i < 2)
             position[i] = (double)(float)(round(position[i] / g->grid) * g->grid);
     }
+    if (g->enabled[FEATURE_lighting] && position[0] == 0.0 && position[1] == 0.0)
+        position[0] = 0.125; /* not at the viewer (departure lights-out-of-range) */
     position[3] = 1.0;
 }
 
