@@ -79,10 +79,11 @@ static void point_sprite(const struct raster_plan *plan, const real *v, float si
     quad(plan, &square, &planes);
 }
 
-/* A square of two triangles around a disc; the fragment stage drops what lies outside the disc. */
+/* A square of two triangles around a disc; the fragment stage drops what lies outside the disc. OSMesa rule: its radius is at least 1, or
+ * 0.5 where sizes are attenuated. */
 static void smooth_point(const struct raster_plan *plan, const real *v, float size)
 {
-    const real radius = (real)fmaxf(1.0f, size * 0.5f), pixel = 1 / radius,
+    const real radius = (real)fmaxf(plan->size_lane ? 0.5f : 1.0f, size * 0.5f), pixel = 1 / radius,
                 inner2 = 1 - 2 * pixel + pixel * pixel;
     real corner[4][LANE_MAX];
     for (int i = 0; i < 4; i++) {

@@ -113,8 +113,8 @@ static void emit_draw_arrays(struct generator *g)
     const int first = below(g, 8);
     if (chance(g, 40))
         emit_color(g);
-    const int mode = array_mode(g), count = integer(g, 1, ARRAY_VERTICES - first - 2);
-    EMIT(g, DrawArrays, mode, first, vertex_count(g, mode, count));
+    const int mode = array_mode(g), count = vertex_count(g, mode, integer(g, 1, ARRAY_VERTICES - first - 2));
+    EMIT(g, DrawArrays, mode, first + count > ARRAY_VERTICES ? ARRAY_VERTICES - count : first, count);
 }
 
 static void emit_draw_elements(struct generator *g)
