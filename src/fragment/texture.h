@@ -36,9 +36,19 @@ struct sampler {
 };
 
 /* A function of GL_COMBINE, for RGB or for alpha; the other environment modes are derived from it. */
+/* How the arguments are put together (texture_combine.c). */
+enum combine_form {
+    COMBINE_AS_WRITTEN,
+    COMBINE_SECOND_FIRST, /* GL_ADD_SIGNED: 1/2 is subtracted from argument 1 */
+    COMBINE_FIRST_ALONE,  /* GL_INTERPOLATE: argument 0 */
+    COMBINE_BY_FIRST,     /* GL_INTERPOLATE: argument 0, which is also 1 less the weight, times the sum of the others */
+    COMBINE_BY_SECOND     /* GL_INTERPOLATE: argument 1, which is also the weight, times the sum of the others */
+};
+
 struct combine {
     GLenum function, source[3], operand[3];
     float scale;
+    enum combine_form form;
 };
 
 struct texture_environment {
@@ -81,6 +91,9 @@ struct server_state;
  * coordinates are interpolated, in lanes counted from 0; the others' are constant. */
 int fgl_texture_stages(struct texture_stage stage[FGL_MAX_TEXTURE_UNITS], const struct server_state *s,
                        uint32_t varying);
+
+/* Sets the forms of the stages' combiners, each of which depends on the stages before. */
+void fgl_texture_arrange(struct texture_stage *stage, int n);
 
 /* Whether all stages are products of texels that are filtered in fixed point. */
 bool fgl_texture_products(const struct texture_stage *stage, int n);

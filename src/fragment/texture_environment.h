@@ -61,19 +61,23 @@ static inline void interpolate(const struct combine_inputs *in, const struct tex
     argument(in, e, stage, combine, 0, f, c, a);
     argument(in, e, stage, combine, 1, f, c, b);
     plain_argument(in, e, stage, combine, 2, f, c, weight);
-    FOR_GROUP(i) rest[i] = 1 - weight[i];
-    if (complements(combine, 2))
-        FOR_GROUP(i) to[i] = a[i] * rest[i] + b[i] * weight[i];
-    else
-        FOR_GROUP(i) to[i] = a[i] * weight[i] + b[i] * rest[i];
+    const bool complement = complements(combine, 2);
+    FOR_GROUP(i) rest[i] = complement ? weight[i] : 1 - weight[i];
+    FOR_GROUP(i) weight[i] = complement ? 1 - weight[i] : weight[i];
+    switch (combine->form) {
+    case COMBINE_FIRST_ALONE: memcpy(to, a, sizeof a); break;
+    case COMBINE_BY_FIRST: FOR_GROUP(i) to[i] = a[i] * (weight[i] + b[i]); break;
+    case COMBINE_BY_SECOND: FOR_GROUP(i) to[i] = b[i] * (a[i] + rest[i]); break;
+    default: FOR_GROUP(i) to[i] = a[i] * weight[i] + b[i] * rest[i];
+    }
 }
 
-/* Argument 0 - 1/2. OSMesa rule: in one step of a complemented one. */
-static inline void signed_argument0(const struct combine_inputs *in, const struct texture_environment *e, int stage,
-                                    const struct combine *combine, const struct fragments *f, int c, real to[FRAGMENT_GROUP])
+/* Argument k - 1/2. OSMesa rule: in one step of a complemented one. */
+static inline void signed_argument(const struct combine_inputs *in, const struct texture_environment *e, int stage,
+                                   const struct combine *combine, int k, const struct fragments *f, int c, real to[FRAGMENT_GROUP])
 {
-    plain_argument(in, e, stage, combine, 0, f, c, to);
-    const bool complement = complements(combine, 0);
+    plain_argument(in, e, stage, combine, k, f, c, to);
+    const bool complement = complements(combine, k);
     FOR_GROUP(i) to[i] = complement ? (real)0.5 - to[i] : to[i] - (real)0.5;
 }
 
@@ -104,15 +108,19 @@ static inline void combine_component(const struct combine_inputs *in, const stru
         interpolate(in, e, stage, combine, f, c, to);
         return;
     }
-    if (combine->function == GL_ADD_SIGNED)
-        signed_argument0(in, e, stage, combine, f, c, a[0]);
+    const int halved = combine->function != GL_ADD_SIGNED ? -1 : combine->form == COMBINE_SECOND_FIRST;
+    if (halved == 0)
+        signed_argument(in, e, stage, combine, 0, f, c, a[0]);
     else
         argument(in, e, stage, combine, 0, f, c, a[0]);
     if (combine->function == GL_REPLACE) {
         memcpy(to, a[0], sizeof a[0]);
         return;
     }
-    argument(in, e, stage, combine, 1, f, c, a[1]);
+    if (halved == 1)
+        signed_argument(in, e, stage, combine, 1, f, c, a[1]);
+    else
+        argument(in, e, stage, combine, 1, f, c, a[1]);
     switch (combine->function) {
     case GL_MODULATE: FOR_GROUP(i) to[i] = a[0][i] * a[1][i]; break;
     case GL_ADD:

@@ -309,5 +309,6 @@ int fgl_texture_stages(struct texture_stage stage[FGL_MAX_TEXTURE_UNITS], const 
         derive_environment(&to->environment, &u->env, environment_format(&to->sampler, format->base_format),
                            fgl_texture_format_leaves_unit(format));
     }
+    fgl_texture_arrange(stage, n);
     return n;
 }
