@@ -290,7 +290,9 @@ void fgl_exec_GenerateMipmap(struct context *ctx, GLenum target)
     RETURN_ERROR_IF(ctx, !fgl_texture_target(target, &t) || t == TEXTURE_RECTANGLE, GL_INVALID_ENUM);
     struct texture_object *object = fgl_bound_texture(ctx, t);
     const int base = object->parameters.base_level;
-    for (int face = 1; face < fgl_texture_faces(t) && base < FGL_MAX_TEXTURE_LEVELS; face++)
+    RETURN_ERROR_IF(ctx, fgl_texture_faces(t) > 1 && (base >= FGL_MAX_TEXTURE_LEVELS || object->image[0][base].width == 0),
+                    GL_INVALID_OPERATION); /* not cube complete */
+    for (int face = 1; face < fgl_texture_faces(t); face++)
         RETURN_ERROR_IF(ctx, object->image[face][base].width != object->image[0][base].width ||
                                      object->image[face][base].format != object->image[0][base].format,
                         GL_INVALID_OPERATION);
