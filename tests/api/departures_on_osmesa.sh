@@ -8,7 +8,7 @@ if ! "$build/bin/fixedgl" info libOSMesa.so.8 >/dev/null 2>&1; then
     exit 0
 fi
 failed=0
-for test in api/departures api/departures_drawn api/departures_pixels oracle/departures; do
+for test in api/departures api/departures_drawn api/departures_pixels api/departures_textures oracle/departures; do
     if ! LD_PRELOAD=libOSMesa.so.8 MESA_SHADER_CACHE_DISABLE=true "$build/tests/$test"; then
         echo "$test fails on OSMesa"
         failed=1

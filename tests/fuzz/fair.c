@@ -1,7 +1,10 @@
 /* A walk over a script's primitives. */
 #include "fair.h"
 
+#include "fair_buffers.h"
+
 #include <GL/gl.h>
+#include <GL/glext.h>
 #include <string.h>
 
 struct primitive {
@@ -139,12 +142,62 @@ static bool clears_first(const struct script *s)
     return false;
 }
 
+/* The window is drawn into at the end. */
+static bool fair_framebuffers(const struct script *s)
+{
+    double bound = 0.0;
+    for (int i = 0; i < s->ops; i++) {
+        const double *v = s->value + s->op[i].first;
+        if (s->op[i].command == CMD_BindFramebufferEXT && v[0] != GL_READ_FRAMEBUFFER)
+            bound = v[1];
+    }
+    return bound == 0.0;
+}
+
+/* A pixel rectangle after a texture of a later unit was enabled. */
+static bool fair_rectangles(const struct script *s)
+{
+    double unit = GL_TEXTURE0;
+    bool later = false;
+    for (int i = 0; i < s->ops; i++) {
+        const int command = s->op[i].command;
+        const double *v = s->value + s->op[i].first;
+        if (command == CMD_ActiveTexture)
+            unit = v[0];
+        later = later || (command == CMD_Enable && unit != GL_TEXTURE0 &&
+                          (v[0] == GL_TEXTURE_1D || v[0] == GL_TEXTURE_2D || v[0] == GL_TEXTURE_3D || v[0] == GL_TEXTURE_CUBE_MAP));
+        if (later && ((command == CMD_DrawPixels && v[2] != GL_STENCIL_INDEX) || command == CMD_DrawPixelsOffset))
+            return false;
+    }
+    return true;
+}
+
+static bool draws_arrays(int command)
+{
+    return command == CMD_DrawArrays || command == CMD_DrawElements || (command >= CMD_DrawRangeElements && command <= CMD_MultiDrawElements) ||
+           (command >= CMD_DrawElementsOffset && command <= CMD_MultiDrawElementsOffset);
+}
+
+/* Something drawn between the last return and the end. */
+static bool fair_returns(const struct script *s)
+{
+    int last = s->ops - 1;
+    while (last >= 0 && s->op[last].command != CMD_Accum)
+        last--;
+    for (int i = last + 1; i < s->ops && last >= 0; i++) {
+        if (s->op[i].command == CMD_End)
+            return true;
+    }
+    return last < 0;
+}
+
 bool script_is_fair(const struct script *s)
 {
     struct primitive p = {0};
     bool in_list = false, executed = false, arrays = false, pointer = false, saved_pointer = false;
+    struct fair_buffers buffers = {0};
     int pushed = 0;
-    if (!clears_first(s))
+    if (!clears_first(s) || !fair_returns(s) || !fair_rectangles(s) || !fair_framebuffers(s))
         return false;
     for (int i = 0; i < s->ops; i++) {
         const int command = s->op[i].command;
@@ -159,16 +212,18 @@ bool script_is_fair(const struct script *s)
             if (command == CMD_InterleavedArrays || s->value[s->op[i].first] == GL_VERTEX_ARRAY)
                 arrays = command != CMD_DisableClientState;
         }
-        if (!fair_order(s, i) || (command == CMD_Bitmap && !adds_no_secondary_color(s, i)))
+        if (!fair_order(s, i) || !fair_buffers_follow(&buffers, s, i) ||
+            ((command == CMD_Bitmap || command == CMD_BitmapOffset) && !adds_no_secondary_color(s, i)))
             return false;
         if (command == CMD_PushClientAttrib)
             saved_pointer = pointer;
         else if (command == CMD_PopClientAttrib)
             pointer = saved_pointer;
-        pointer = pointer || command == CMD_VertexPointer || command == CMD_InterleavedArrays;
+        pointer = pointer || command == CMD_VertexPointer || command == CMD_VertexPointerOffset ||
+                  command == CMD_InterleavedArrays;
         if (command == CMD_RenderMode && !fair_render_mode(s, i))
             return false;
-        if ((command == CMD_DrawArrays || command == CMD_DrawElements) && !(arrays && pointer))
+        if (draws_arrays(command) && !(arrays && pointer))
             return false;
         if (command == CMD_Begin) {
             const int mode = (int)s->value[s->op[i].first];

@@ -13,6 +13,10 @@
  *   - a draw from arrays while there is no vertex array, or none was ever given;
  *   - a call of a list without glGetFloatv (of the current color) just before it;
  *   - drawing into buffers that were never cleared;
+ *   - nothing drawn after the last glAccum;
+ *   - a framebuffer object bound at the end;
+ *   - a pixel rectangle after a texture of a later unit was enabled;
+ *   - offsets into buffer objects without data, or client memory while one is bound;
  *   - glAccum before the buffer was cleared; meshes before a glMapGrid;
  *   - glRenderMode(GL_FEEDBACK or GL_SELECT) without a buffer given just before it;
  *   - PushAttrib within another, or PopAttrib with nothing drawn just before it, without a color after it or, in a script that

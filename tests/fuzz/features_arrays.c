@@ -78,7 +78,7 @@ static void emit_edge_flag_array(struct generator *g)
     EMIT(g, EnableClientState, GL_EDGE_FLAG_ARRAY);
 }
 
-static void disable_arrays(struct generator *g, int percent)
+void disable_arrays(struct generator *g, int percent)
 {
     static const double arrays[] = {GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_NORMAL_ARRAY, GL_EDGE_FLAG_ARRAY, GL_TEXTURE_COORD_ARRAY};
     for (int i = 0; i < 5; i++) {
@@ -87,7 +87,7 @@ static void disable_arrays(struct generator *g, int percent)
     }
 }
 
-static void emit_arrays(struct generator *g)
+void emit_arrays(struct generator *g)
 {
     emit_vertex_array(g);
     g->arrays_set = true;
@@ -99,8 +99,7 @@ static void emit_arrays(struct generator *g)
         emit_edge_flag_array(g);
 }
 
-/* Stippled lines not as strips, see random_mode: here the vertices are there already. */
-static int array_mode(struct generator *g)
+int array_mode(struct generator *g)
 {
     const int mode = random_mode(g);
     const bool contained = g->contained;
@@ -108,7 +107,7 @@ static int array_mode(struct generator *g)
     return contained ? GL_LINES : mode;
 }
 
-static void emit_draw_arrays(struct generator *g)
+void emit_draw_arrays(struct generator *g)
 {
     const int first = below(g, 8);
     if (chance(g, 40))

@@ -1,5 +1,6 @@
 /* Features of OpenGL 1.2 to 1.5: secondary colors, fog coordinates, point parameters, more texture units, depth textures, copies. */
 #include "generator.h"
+#include "textures.h"
 
 void feature_color_sum(struct generator *g)
 {
@@ -60,14 +61,19 @@ void feature_multi_tex_coord_inside(struct generator *g)
     EMIT(g, MultiTexCoord4f, GL_TEXTURE1, real(g, -2.0, 2.0), real(g, -2.0, 2.0), real(g, -2.0, 2.0), real(g, 0.5, 2.0));
 }
 
-/* Of colors or depths of the picture. */
+double random_internal_of_copies(struct generator *g)
+{
+    return ONE_OF(g, GL_RGBA, GL_RGBA, GL_RGB, GL_LUMINANCE, GL_ALPHA, GL_INTENSITY, GL_LUMINANCE_ALPHA);
+}
+
+/* Of colors of the picture. */
 void feature_copy_texture(struct generator *g)
 {
     const int width = g->script->width, height = g->script->height, x = below(g, width - 8), y = below(g, height - 8);
     if (g->compiling || g->used[FEATURE_pixel_transfer] || g->used[FEATURE_pixel_map] || !use(g, FEATURE_texture))
         return; /* departure copied-images */
     EMIT(g, TexParameteri, GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, ONE_OF(g, GL_NEAREST, GL_LINEAR));
-    EMIT(g, CopyTexImage2D, GL_TEXTURE_2D, 0, ONE_OF(g, GL_RGBA, GL_RGBA, GL_RGB, GL_LUMINANCE, GL_ALPHA, GL_INTENSITY, GL_LUMINANCE_ALPHA), x, y,
-         integer(g, 1, 8), integer(g, 1, 8), 0);
+    reset_levels(g, GL_TEXTURE_2D);
+    EMIT(g, CopyTexImage2D, GL_TEXTURE_2D, 0, random_internal_of_copies(g), x, y, integer(g, 1, 8), integer(g, 1, 8), 0);
     toggle(g, GL_TEXTURE_2D, 90);
 }

@@ -120,6 +120,8 @@ void feature_attrib_stack(struct generator *g)
         mask &= ~(unsigned)GL_TRANSFORM_BIT;
     if (g->enabled[FEATURE_lighting] && (mask & GL_ENABLE_BIT)) /* which brings no lights back (departure popped-state) */
         mask |= GL_LIGHTING_BIT;
+    if (g->levels_set) /* base levels may come back to images that it has lost (departure lost-levels) */
+        mask &= ~(unsigned)GL_TEXTURE_BIT;
     EMIT(g, PushAttrib, (double)mask);
     g->pushed = true;
     emit_body(g);

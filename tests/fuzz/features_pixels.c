@@ -1,81 +1,6 @@
 /* Features: raster positions, bitmaps, pixel rectangles, pixel transfer and maps. */
 #include "generator.h"
-
-#include <math.h>
-#include <string.h>
-
-/* ---- pixel data ---- */
-
-struct pixel_type {
-    double type;
-    int bytes, components; /* components: of a packed pixel; 0: as many as the format has */
-};
-static const struct pixel_type types[] = {
-        {GL_UNSIGNED_BYTE, 1, 0}, {GL_BYTE, 1, 0}, {GL_UNSIGNED_SHORT, 2, 0}, {GL_SHORT, 2, 0}, {GL_UNSIGNED_INT, 4, 0},
-        {GL_INT, 4, 0}, {GL_FLOAT, 4, 0}, {GL_UNSIGNED_BYTE_3_3_2, 1, 3}, {GL_UNSIGNED_BYTE_2_3_3_REV, 1, 3},
-        {GL_UNSIGNED_SHORT_5_6_5, 2, 3}, {GL_UNSIGNED_SHORT_5_6_5_REV, 2, 3}, {GL_UNSIGNED_SHORT_4_4_4_4, 2, 4},
-        {GL_UNSIGNED_SHORT_4_4_4_4_REV, 2, 4}, {GL_UNSIGNED_SHORT_5_5_5_1, 2, 4}, {GL_UNSIGNED_SHORT_1_5_5_5_REV, 2, 4},
-        {GL_UNSIGNED_INT_8_8_8_8, 4, 4}, {GL_UNSIGNED_INT_8_8_8_8_REV, 4, 4}, {GL_UNSIGNED_INT_10_10_10_2, 4, 4},
-        {GL_UNSIGNED_INT_2_10_10_10_REV, 4, 4}};
-enum { PLAIN_TYPES = 7, TYPES = sizeof types / sizeof types[0], BYTE_TYPES = 2 };
-
-static int components_of(double format)
-{
-    if (format == GL_RGBA || format == GL_BGRA)
-        return 4;
-    if (format == GL_RGB || format == GL_BGR)
-        return 3;
-    return format == GL_LUMINANCE_ALPHA ? 2 : 1;
-}
-
-/* One that the format may have. */
-static const struct pixel_type *random_type(struct generator *g, double format)
-{
-    for (;;) {
-        const struct pixel_type *type = &types[chance(g, 40) ? 0 : below(g, TYPES)];
-        if (type->components == 0 || (type->components == 3 ? format == GL_RGB : components_of(format) == 4))
-            return type;
-    }
-}
-
-static void add_bytes(struct generator *g, const void *element, int bytes)
-{
-    const unsigned char *p = element;
-    for (int i = 0; i < bytes; i++) {
-        const double value = p[i];
-        script_extend(g->script, 1, &value);
-    }
-}
-
-/* Random elements; floats that are colors, or indexes. */
-static void add_elements(struct generator *g, const struct pixel_type *type, int count, bool indexes)
-{
-    for (int i = 0; i < count; i++) {
-        uint32_t bits = (uint32_t)below(g, 1 << 16) << 16 | (uint32_t)below(g, 1 << 16);
-        if (chance(g, 10))
-            bits = chance(g, 50) ? 0 : 0xffffffffu;
-        if (type->type == GL_FLOAT) {
-            const float f = (float)(indexes ? below(g, 256) : chance(g, 10) ? below(g, 2) : real(g, 0.0, 1.0));
-            memcpy(&bits, &f, sizeof bits);
-        }
-        add_bytes(g, &bits, type->bytes);
-    }
-}
-
-/* How rows lie in memory, set for the next image; the number of elements of `bytes` that its rows then take. */
-static int random_store(struct generator *g, int width, int height, int bytes, int per_pixel)
-{
-    const int row_length = chance(g, 15) ? width + below(g, 5) : 0, skip_pixels = chance(g, 15) ? below(g, 4) : 0,
-              skip_rows = chance(g, 15) ? below(g, 3) : 0, alignment = chance(g, 30) ? 1 << below(g, 4) : 4;
-    if (use(g, FEATURE_pixel_store)) {
-        EMIT(g, PixelStorei, GL_UNPACK_ROW_LENGTH, row_length);
-        EMIT(g, PixelStorei, GL_UNPACK_SKIP_PIXELS, skip_pixels);
-        EMIT(g, PixelStorei, GL_UNPACK_SKIP_ROWS, skip_rows);
-        EMIT(g, PixelStorei, GL_UNPACK_ALIGNMENT, alignment);
-    }
-    const int row = ((width + 8) * per_pixel * bytes + 8) / bytes;
-    return row * (height + 3);
-}
+#include "pixel_data.h"
 
 /* ---- where ---- */
 
@@ -147,8 +72,7 @@ void feature_pixel_zoom(struct generator *g)
         EMIT(g, PixelZoom, real(g, -3.0, 3.0), real(g, -3.0, 3.0));
 }
 
-/* OSMesa does not add the raster position's secondary color (departure raster-secondary-color). */
-static void emit_no_color_sum(struct generator *g)
+void emit_no_color_sum(struct generator *g)
 {
     if (!g->enabled[FEATURE_color_sum] && !g->enabled[FEATURE_secondary_color_inside])
         return;
@@ -165,10 +89,10 @@ void feature_bitmap(struct generator *g)
     if (use(g, FEATURE_pixel_store))
         EMIT(g, PixelStorei, GL_UNPACK_LSB_FIRST, below(g, 2));
     for (int n = integer(g, 1, 3); n > 0; n--) {
-        const int count = random_store(g, width, height, 1, 1);
+        const int count = random_unpack_store(g, width, height, 1, 1);
         EMIT(g, Bitmap, width, height, chance(g, 50) ? 0.0 : real(g, -4.0, 4.0), chance(g, 50) ? 0.0 : real(g, -4.0, 4.0),
              (double)width + real(g, 0.0, 2.0), chance(g, 70) ? 0.0 : real(g, -4.0, 4.0));
-        add_elements(g, &types[0], count, false);
+        add_random_bytes(g, count);
         /* OSMesa gathers bitmaps and draws those that overlap only once. */
         if (!g->compiling)
             EMIT0(g, Flush);
@@ -182,27 +106,27 @@ void feature_draw_pixels(struct generator *g)
     const double format = ONE_OF(g, GL_RGBA, GL_RGBA, GL_RGBA, GL_RGB, GL_BGRA, GL_BGR, GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA,
                                  GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_DEPTH_COMPONENT, GL_STENCIL_INDEX);
     const bool indexes = format == GL_STENCIL_INDEX;
-    const struct pixel_type *type = random_type(g, format);
+    const struct pixel_type *type = random_pixel_type(g, format);
     const int width = integer(g, 1, 20), height = integer(g, 1, 14);
     const int per_pixel = type->components ? 1 : components_of(format);
     if ((format == GL_DEPTH_COMPONENT && g->script->buffers.depth_bits == 0) ||
-        (format == GL_STENCIL_INDEX && g->script->buffers.stencil_bits == 0))
-        return;
-    if (g->used[FEATURE_texture_unit] && !indexes) /* departure textured-pixels: of mipmaps OSMesa takes the smallest there */
+        (format == GL_STENCIL_INDEX && (g->script->buffers.stencil_bits == 0 || g->querying)))
+        return; /* departure counted-stencils */
+    if (textured_later(g) && !indexes)
         return;
     emit_place(g);
-    const int count = random_store(g, width, height, type->bytes, per_pixel);
+    const int count = random_unpack_store(g, width, height, type->bytes, per_pixel);
     if (g->arrays_set) /* after arrays were drawn the current coordinates are indeterminate (GL 1.5, 2.8) */
         EMIT(g, TexCoord4f, real(g, -1.0, 2.0), real(g, -1.0, 2.0), real(g, -1.0, 2.0), 1.0);
     EMIT(g, DrawPixels, width, height, format, type->type);
-    add_elements(g, type, count, indexes);
+    add_random_elements(g, type, count, indexes);
 }
 
 void feature_copy_pixels(struct generator *g)
 {
     const int width = g->script->width, height = g->script->height, x = below(g, width), y = below(g, height);
     const double type = ONE_OF(g, GL_COLOR, GL_COLOR, GL_DEPTH, GL_STENCIL);
-    if ((type == GL_DEPTH && g->script->buffers.depth_bits == 0) || (type == GL_STENCIL && g->script->buffers.stencil_bits == 0))
+    if ((type == GL_DEPTH && g->script->buffers.depth_bits == 0) || (type == GL_STENCIL && (g->script->buffers.stencil_bits == 0 || g->querying)))
         return;
     emit_place(g);
     emit_plain_transfer(g);
@@ -241,7 +165,7 @@ void feature_read_pixels(struct generator *g)
                            g->enabled[FEATURE_pixel_transfer] || g->enabled[FEATURE_pixel_map];
     double type;
     do
-        type = random_type(g, format)->type;
+        type = random_pixel_type(g, format)->type;
     while ((type == GL_UNSIGNED_INT || type == GL_INT) && format != GL_STENCIL_INDEX && overflows);
     const bool map = format != GL_DEPTH_COMPONENT && chance(g, 15) && use(g, FEATURE_pixel_map);
     if (map)

@@ -1,14 +1,17 @@
 /* Features: textures, their parameters, environments and coordinates. */
 #include "generator.h"
+#include "textures.h"
 
-#include <string.h>
+const double texture_targets[TEXTURE_TARGETS] = {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP};
 
-static const double targets[] = {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP};
-
-/* Of which the second is by far the commonest. */
-static int random_target(struct generator *g)
+int random_target(struct generator *g)
 {
     return chance(g, 60) ? 1 : below(g, 4);
+}
+
+int dimensions_of(int target)
+{
+    return target == 3 ? 2 : target + 1;
 }
 
 static void emit_bytes(struct generator *g, int count)
@@ -23,7 +26,7 @@ static void emit_bytes(struct generator *g, int count)
     }
 }
 
-static void emit_image(struct generator *g, int target, double image_target, int level, double internal, const int size[3])
+static void emit_byte_image(struct generator *g, int target, double image_target, int level, double internal, const int size[3])
 {
     const int bytes = 4 * size[0] * size[1] * size[2];
     switch (target) {
@@ -36,13 +39,13 @@ static void emit_image(struct generator *g, int target, double image_target, int
     emit_bytes(g, bytes);
 }
 
-static int random_size(struct generator *g, int largest)
+int random_size(struct generator *g, int largest)
 {
     return chance(g, 70) ? 1 << below(g, largest) : integer(g, 1, 1 << (largest - 1));
 }
 
 /* All levels of a texture, or the first alone. */
-static void emit_images(struct generator *g, int target, bool mipmaps)
+static void emit_byte_images(struct generator *g, int target, bool mipmaps)
 {
     const double internal = ONE_OF(g, GL_RGBA, GL_RGBA, GL_RGBA, GL_RGB, GL_RGB, GL_LUMINANCE, GL_ALPHA, GL_INTENSITY,
                                    GL_LUMINANCE_ALPHA, GL_RGB5_A1, GL_RGBA4, GL_R3_G3_B2, GL_LUMINANCE16, GL_RGBA16);
@@ -53,7 +56,7 @@ static void emit_images(struct generator *g, int target, bool mipmaps)
         size[1] = size[0];
     for (int level = 0; level < (mipmaps ? 8 : 1); level++) {
         for (int face = 0; face < (target == 3 ? 6 : 1); face++)
-            emit_image(g, target, target == 3 ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + face : GL_TEXTURE_2D, level, internal, size);
+            emit_byte_image(g, target, target == 3 ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + face : GL_TEXTURE_2D, level, internal, size);
         if (size[0] == 1 && size[1] == 1 && size[2] == 1)
             break;
         for (int i = 0; i < 3; i++)
@@ -66,9 +69,18 @@ static double random_wrap(struct generator *g)
     return ONE_OF(g, GL_REPEAT, GL_REPEAT, GL_CLAMP, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_BORDER, GL_MIRRORED_REPEAT);
 }
 
-static void emit_filters(struct generator *g, int target, bool mipmaps)
+void reset_levels(struct generator *g, double target)
 {
-    const double t = targets[target];
+    if (!g->levels_set)
+        return;
+    EMIT(g, TexParameteri, target, GL_TEXTURE_BASE_LEVEL, 0);
+    EMIT(g, TexParameteri, target, GL_TEXTURE_MAX_LEVEL, 1000);
+}
+
+void emit_filters(struct generator *g, int target, bool mipmaps)
+{
+    const double t = texture_targets[target];
+    reset_levels(g, t);
     EMIT(g, TexParameteri, t, GL_TEXTURE_MAG_FILTER, ONE_OF(g, GL_NEAREST, GL_LINEAR));
     if (mipmaps)
         EMIT(g, TexParameteri, t, GL_TEXTURE_MIN_FILTER, ONE_OF(g, GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST_MIPMAP_LINEAR,
@@ -91,7 +103,7 @@ static void emit_filters(struct generator *g, int target, bool mipmaps)
         EMIT(g, TexParameterf, t, GL_TEXTURE_MAX_LOD, real(g, 2.0, 4.0));
 }
 
-static void emit_coordinates(struct generator *g)
+void emit_coordinates(struct generator *g)
 {
     EMIT(g, TexCoord4f, real(g, -2.0, 2.0), real(g, -2.0, 2.0), real(g, -2.0, 2.0), 1.0);
 }
@@ -100,14 +112,12 @@ void feature_texture(struct generator *g)
 {
     const int target = random_target(g);
     const bool mipmaps = chance(g, 50);
-    EMIT(g, PixelStorei, GL_UNPACK_ROW_LENGTH, 0);
-    EMIT(g, PixelStorei, GL_UNPACK_SKIP_ROWS, 0);
-    EMIT(g, PixelStorei, GL_UNPACK_SKIP_PIXELS, 0);
-    emit_images(g, target, mipmaps);
+    plain_unpack_store(g);
+    emit_byte_images(g, target, mipmaps);
     emit_filters(g, target, mipmaps);
     if (!g->compiling)
         emit_coordinates(g);
-    toggle(g, (unsigned)targets[target], 90);
+    toggle(g, (unsigned)texture_targets[target], 90);
 }
 
 static void emit_combiner(struct generator *g)

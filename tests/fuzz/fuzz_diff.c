@@ -8,7 +8,7 @@
  *   --count N          frames (1000)
  *   --seconds N        stop after so much time, whatever the count
  *   --only a,b,...     of the features only these (and Begin, End, colors, views); --list prints all
- *   --without a,b,...  all but these
+ *   --without a,b,...  all but these; "objects" are all that features.def has from buffer objects on
  *   --show N           differing frames that are shortened and printed (10)
  *   --tries N          runs that may be spent on shortening one frame (400)
  *   --save DIR         writes the shortened scripts to DIR/seed-N.txt
@@ -62,6 +62,11 @@ static void set_features(const char *list, bool value)
         int i = 0;
         while (i < FEATURES && (strlen(features[i].name) != length || strncmp(features[i].name, list, length)))
             i++;
+        if (length == strlen("objects") && strncmp(list, "objects", length) == 0) {
+            for (i = FEATURE_buffer_object; i < FEATURES; i++)
+                options.enabled[i] = value;
+            i = FEATURE_buffer_object;
+        }
         if (i == FEATURES)
             fail("unknown feature in", list);
         options.enabled[i] = value;

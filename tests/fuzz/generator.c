@@ -153,6 +153,11 @@ void random_position(struct generator *g, double position[4])
     position[3] = 1.0;
 }
 
+bool textured_later(const struct generator *g)
+{
+    return g->used[FEATURE_texture_unit] || g->used[FEATURE_later_unit];
+}
+
 void emit_unseen_point(struct generator *g)
 {
     EMIT(g, Begin, GL_POINTS);
@@ -249,6 +254,15 @@ static void choose_lighting(struct generator *g)
         EMIT(g, Materialf, GL_FRONT_AND_BACK, GL_SHININESS, real(g, 0.5, g->largest_shininess));
 }
 
+void begin_context(struct generator *g)
+{
+    generate_clear(g);
+    if (g->largest_shininess == 128.0)
+        EMIT(g, Enable, GL_NORMALIZE);
+    if (g->enabled[FEATURE_lighting] && !g->without_shininess)
+        EMIT(g, Materialf, GL_FRONT_AND_BACK, GL_SHININESS, real(g, 0.5, g->largest_shininess));
+}
+
 void feature_buffers(struct generator *g)
 {
     (void)g; /* chosen with the script */
@@ -266,7 +280,8 @@ void generate(struct generator *g, struct script *script, uint64_t seed)
     g->color_size = integer(g, 3, 4);
     g->tex_coord_size = integer(g, 1, 4);
     g->depth = 0;
-    g->compiling = g->contained = g->executing = g->inside = g->pushed = g->edge_flags = g->steady = g->arrays_set = false;
+    g->compiling = g->contained = g->executing = g->inside = g->pushed = g->edge_flags = g->steady = g->arrays_set = g->querying =
+            g->levels_set = g->drawing_elsewhere = g->other_begun = false;
     g->vertex_lists = g->lists = 0;
     script_clear(script, integer(g, 17, 96), integer(g, 13, 72));
     choose_buffers(g);

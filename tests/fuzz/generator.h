@@ -50,6 +50,11 @@ struct generator {
     bool compiling, executing; /* a list is compiled, and executed */
     bool inside;               /* Begin/End */
     bool contained;  /* positions well within the volume, as long as matrices and planes leave it alone */
+    bool drawing_elsewhere;           /* into a framebuffer object, or in the other context */
+    bool other_begun;                 /* the other context has been current */
+    enum space other_space;           /* and what its object coordinates are */
+    bool levels_set; /* the base or the maximum level of some texture */
+    bool querying;   /* between BeginQuery and EndQuery */
     bool pushed;     /* between PushAttrib and PopAttrib */
     bool edge_flags; /* may be set for the vertices of this primitive */
     /* All attributes of this primitive's vertices are given with the first. OSMesa loses a line of a loop if two attributes join
@@ -90,6 +95,8 @@ void random_position(struct generator *g, double position[4]); /* object coordin
 void emit_color(struct generator *g);
 void emit_normal(struct generator *g);
 void emit_vertex(struct generator *g);
+/* What comes first in every context. */
+void begin_context(struct generator *g);
 int random_mode(struct generator *g);
 void emit_unseen_point(struct generator *g);
 /* After a change of the shade model, where lines or points may be smooth: an unseen point. Once something has been clipped while they are, OSMesa draws what
@@ -97,6 +104,16 @@ void emit_unseen_point(struct generator *g);
 void settle_shade_model(struct generator *g);
 /* A number of vertices near the one given that a primitive of this mode may have. */
 int vertex_count(struct generator *g, int mode, int count);
+/* Whether a unit beyond the first may texture: then OSMesa draws pixel rectangles with the smallest mipmap (departure textured-pixels). */
+bool textured_later(const struct generator *g);
+/* Before a bitmap: OSMesa does not add the raster position's secondary color (departure raster-secondary-color). */
+void emit_no_color_sum(struct generator *g);
+/* Random vertex arrays of ARRAY_VERTICES elements; a mode that can be drawn from them, with stippled lines not as strips (see random_mode: here
+ * the vertices are there already); a draw; and an end of each array, with that percentage. */
+void emit_arrays(struct generator *g);
+int array_mode(struct generator *g);
+void emit_draw_arrays(struct generator *g);
+void disable_arrays(struct generator *g, int percent);
 /* Vertices without Begin and End. */
 void emit_vertices(struct generator *g, int count);
 

@@ -1,6 +1,8 @@
 /* Runs scripts on one OSMesa library. */
 #include "run.h"
 
+#include "call.h"
+
 #include "api/foreach.h"
 
 #include <GL/gl.h>
@@ -9,9 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef void (*function)(void);
-
-static function procs[COMMANDS];
+function procs[COMMANDS];
 static struct {
     OSMesaContext (*create)(GLenum, GLint, GLint, GLint, OSMesaContext);
     GLboolean (*make_current)(OSMesaContext, void *, GLenum, GLsizei, GLsizei);
@@ -41,161 +41,10 @@ bool run_load(const char *path, bool missing[COMMANDS])
     library.get_error = (GLenum(*)(void))get("glGetError");
     library.finish = get("glFinish");
     for (int i = 0; i < COMMANDS; i++) {
-        procs[i] = get(commands[i].name);
+        procs[i] = get(commands[i].function);
         missing[i] = !procs[i];
     }
     return true;
-}
-
-/* ---- memory that commands read: kept to the end of the script, since vertex arrays are read later ---- */
-
-enum { ARENA = 1 << 22 };
-static _Alignas(16) unsigned char arena[ARENA];
-static size_t arena_used;
-
-static void *arena_take(size_t bytes)
-{
-    bytes = (bytes + 15) & ~(size_t)15;
-    if (arena_used + bytes > ARENA)
-        arena_used = 0; /* a script that long only overwrites its own oldest data */
-    void *memory = arena + arena_used;
-    arena_used += bytes;
-    return memory;
-}
-
-static size_t type_size(GLenum type)
-{
-    switch (type) {
-    case GL_BYTE: case GL_UNSIGNED_BYTE: return 1;
-    case GL_SHORT: case GL_UNSIGNED_SHORT: case GL_2_BYTES: return 2;
-    case GL_3_BYTES: return 3;
-    case GL_DOUBLE: return 8;
-    default: return 4;
-    }
-}
-
-static void put(unsigned char *to, GLenum type, double value)
-{
-    const int64_t integer = (int64_t)value;
-    const GLfloat f = (GLfloat)value;
-    switch (type) {
-    case GL_FLOAT: memcpy(to, &f, sizeof f); break;
-    case GL_DOUBLE: memcpy(to, &value, sizeof value); break;
-    case GL_2_BYTES: case GL_3_BYTES: case GL_4_BYTES: /* the most significant byte first */
-        for (size_t n = type_size(type), i = 0; i < n; i++)
-            to[i] = (unsigned char)(integer >> (8 * (n - 1 - i)));
-        break;
-    default: memcpy(to, &integer, type_size(type)); /* little-endian, as the libraries are */
-    }
-}
-
-/* ---- the values of one op ---- */
-
-struct call {
-    const struct op *op;
-    const double *value; /* its values */
-    int next;
-    unsigned char *out; /* for OUT */
-    size_t out_size;
-};
-
-static double take(struct call *call)
-{
-    return call->next < call->op->values ? call->value[call->next++] : 0.0;
-}
-
-/* The rest of the values as `type`; followed by zeros, since a command with a wrong pname may read more. */
-static void *take_vector(struct call *call, GLenum type)
-{
-    const size_t size = type_size(type), count = (size_t)(call->op->values - call->next);
-    unsigned char *memory = arena_take((count + 16) * size);
-    memset(memory, 0, (count + 16) * size);
-    for (size_t i = 0; i < count; i++)
-        put(memory + i * size, type, take(call));
-    return memory;
-}
-
-struct layout {
-    int components;
-    GLenum type[16];
-    size_t offset[16], size;
-};
-
-static void add_components(struct layout *layout, int count, GLenum type)
-{
-    for (int i = 0; i < count && layout->components < 16; i++) {
-        layout->type[layout->components] = type;
-        layout->offset[layout->components++] = layout->size;
-        layout->size += type_size(type);
-    }
-}
-
-/* GL 1.5, 2.8, table 2.5: the number of texture coordinates, colors (-4: four bytes), normals, vertices. */
-static void interleaved_layout(struct layout *layout, GLenum format)
-{
-    static const signed char counts[14][4] = {
-            {0, 0, 0, 2}, {0, 0, 0, 3}, {0, -4, 0, 2}, {0, -4, 0, 3}, {0, 3, 0, 3}, {0, 0, 3, 3}, {0, 4, 3, 3},
-            {2, 0, 0, 3}, {4, 0, 0, 4}, {2, -4, 0, 3}, {2, 3, 0, 3}, {2, 0, 3, 3}, {2, 4, 3, 3}, {4, 4, 3, 4}};
-    const signed char *count = counts[(format - GL_V2F) % 14];
-    add_components(layout, count[0], GL_FLOAT);
-    add_components(layout, count[1] < 0 ? 4 : count[1], count[1] < 0 ? GL_UNSIGNED_BYTE : GL_FLOAT);
-    add_components(layout, count[2] + count[3], GL_FLOAT);
-}
-
-static void *take_array(struct call *call)
-{
-    const double *scalar = call->value;
-    struct layout layout = {0};
-    size_t stride = (size_t)scalar[call->next - 1];
-    switch (call->op->command) {
-    case CMD_NormalPointer: add_components(&layout, 3, (GLenum)scalar[0]); break;
-    case CMD_EdgeFlagPointer: add_components(&layout, 1, GL_UNSIGNED_BYTE); break;
-    case CMD_InterleavedArrays: interleaved_layout(&layout, (GLenum)scalar[0]); break;
-    default: add_components(&layout, (int)scalar[0], (GLenum)scalar[1]);
-    }
-    if (stride < layout.size)
-        stride = layout.size;
-    const int count = layout.components ? (call->op->values - call->next) / layout.components : 0;
-    unsigned char *memory = arena_take(((size_t)count + 1) * stride);
-    memset(memory, 0, ((size_t)count + 1) * stride);
-    for (int i = 0; i < count; i++) {
-        for (int k = 0; k < layout.components; k++)
-            put(memory + (size_t)i * stride + layout.offset[k], layout.type[k], take(call));
-    }
-    return memory;
-}
-
-enum { UNWRITTEN = 0xcd };
-
-static void *take_out(struct call *call)
-{
-    call->out_size = 256;
-    if (call->op->command == CMD_ReadPixels && call->value[2] > 0.0 && call->value[3] > 0.0)
-        call->out_size = (size_t)(call->value[2] + 64.0) * (size_t)(call->value[3] + 8.0) * 16;
-    call->out = arena_take(call->out_size);
-    memset(call->out, UNWRITTEN, call->out_size);
-    return call->out;
-}
-
-static unsigned char *kept;
-static size_t kept_size;
-
-/* Of as many elements of 4 bytes as the first parameter says. */
-static void *take_kept(struct call *call)
-{
-    kept_size = call->value[0] > 0.0 ? 4 * (size_t)call->value[0] : 0;
-    kept = arena_take(kept_size);
-    memset(kept, UNWRITTEN, kept_size);
-    return kept;
-}
-
-static void take_result(struct call *call, GLint value)
-{
-    call->out_size = sizeof value + kept_size;
-    call->out = arena_take(call->out_size);
-    memcpy(call->out, &value, sizeof value);
-    if (kept_size > 0)
-        memcpy(call->out + sizeof value, kept, kept_size);
 }
 
 /* ---- one function for each command, which gives the values their types ---- */
@@ -211,6 +60,7 @@ typedef const GLuint *UINTS;
 typedef const GLfloat *FLOATS;
 typedef const GLdouble *DOUBLES;
 typedef const GLvoid *ARRAY, *INDICES, *BYTES_IN;
+typedef const GLvoid *OFFSET;
 typedef GLvoid *OUT, *KEPT;
 
 #define TAKE_INTEGER (int64_t) take(call)
@@ -238,6 +88,9 @@ typedef GLvoid *OUT, *KEPT;
 #define TAKE_INDICES take_vector(call, (GLenum)call->value[call->next - 1])
 #define TAKE_BYTES_IN take_vector(call, GL_UNSIGNED_BYTE)
 #define TAKE_ARRAY take_array(call)
+#define TAKE_OFFSET (intptr_t)TAKE_INTEGER
+#define TAKE_GLintptr TAKE_INTEGER
+#define TAKE_GLsizeiptr TAKE_INTEGER
 #define TAKE_OUT take_out(call)
 #define TAKE_KEPT take_kept(call)
 
@@ -261,6 +114,7 @@ typedef GLvoid *OUT, *KEPT;
         (void)call;                                                                                          \
         procs[CMD_##name]();                                                                                 \
     }
+#define OWN(name, function, ...)
 #include "commands.def"
 
 static void (*const callers[COMMANDS])(struct call *call) = {
@@ -330,11 +184,48 @@ static int pixel_bytes(const struct buffers *b)
     return (b->format == OSMESA_RGB ? 3 : 4) * (int)type_size(b->type);
 }
 
-static void copy_depth(OSMesaContext context, struct result *result, size_t pixels)
+/* ---- the contexts of a script: the second shares its lists and objects with the first, and has a buffer of RGBA bytes ---- */
+
+enum { CONTEXTS = 2 };
+static struct {
+    OSMesaContext context[CONTEXTS];
+    int current;
+    unsigned char color[MAX_WIDTH * MAX_HEIGHT * 4]; /* of the second */
+    const struct script *script;
+    struct result *result;
+} run;
+
+static void switch_to(int i)
+{
+    const struct script *s = run.script;
+    const struct buffers *b = &s->buffers;
+    run.current = i;
+    if (!run.context[i])
+        run.context[i] = i == 0 ? library.create(b->format, b->depth_bits, b->stencil_bits, 16, NULL)
+                                : library.create(OSMESA_RGBA, 24, 8, 0, run.context[0]);
+    if (!run.context[i] || !library.make_current(run.context[i], i == 0 ? run.result->color : run.color, i == 0 ? b->type : GL_UNSIGNED_BYTE,
+                                                 s->width, s->height))
+        abort();
+}
+
+void call_OtherContext(struct call *call)
+{
+    const int i = (int)take(call);
+    if (i < 0 || i >= CONTEXTS || i == run.current)
+        return;
+    library.finish();
+    if (i == 0) {
+        const size_t size = (size_t)run.script->width * (size_t)run.script->height * 4;
+        memcpy(take_room(call, size), run.color, size);
+    }
+    switch_to(i);
+}
+
+static void copy_depth(struct result *result, size_t pixels)
 {
     GLint width, height, bytes;
     void *depth;
-    if (!library.depth_buffer(context, &width, &height, &bytes, &depth))
+    if (!library.depth_buffer(run.context[0], &width, &height, &bytes, &depth))
         return;
     if (bytes == 4)
         memcpy(result->depth, depth, pixels * 4);
@@ -344,23 +235,27 @@ static void copy_depth(OSMesaContext context, struct result *result, size_t pixe
 
 void run_script(const struct script *script, struct result *result)
 {
+    const size_t pixels = (size_t)script->width * (size_t)script->height;
     result->records = result->data_size = result->op = 0;
     result->finished = false;
-    arena_used = kept_size = 0;
-    memset(arena, 0, ARENA);
-    const size_t pixels = (size_t)script->width * (size_t)script->height;
-    const struct buffers *b = &script->buffers;
-    result->pixel_bytes = pixel_bytes(b);
+    arena_clear();
+    result->pixel_bytes = pixel_bytes(&script->buffers);
     memset(result->color, 0, pixels * MAX_PIXEL_BYTES);
     memset(result->depth, 0, pixels * 4);
-    OSMesaContext context = library.create(b->format, b->depth_bits, b->stencil_bits, 16, NULL);
-    if (!context || !library.make_current(context, result->color, b->type, script->width, script->height))
-        abort();
+    memset(&run, 0, sizeof run);
+    run.script = script;
+    run.result = result;
+    switch_to(0);
     run_ops(script, result);
+    if (run.current != 0)
+        switch_to(0);
     library.finish();
     record_errors(result, script->ops);
-    copy_depth(context, result, pixels);
+    copy_depth(result, pixels);
     library.make_current(NULL, NULL, 0, 0, 0);
-    library.destroy(context);
+    for (int i = 0; i < CONTEXTS; i++) {
+        if (run.context[i])
+            library.destroy(run.context[i]);
+    }
     result->finished = true;
 }

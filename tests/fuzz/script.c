@@ -11,8 +11,10 @@
 
 #define KIND_OF(type, name) FGL_CAT(KIND_, type),
 const struct command_info commands[COMMANDS] = {
-#define CALL(name, ...) {"gl" #name, FGL_NARGS(__VA_ARGS__), {FGL_EACH(KIND_OF, __VA_ARGS__)}},
-#define CALL0(name) {"gl" #name, 0, {KIND_NONE}},
+#define CALL(name, ...) CALL_AS(name, name, __VA_ARGS__)
+#define CALL_AS(name, function, ...) {"gl" #name, "gl" #function, FGL_NARGS(__VA_ARGS__), {FGL_EACH(KIND_OF, __VA_ARGS__)}},
+#define CALL0(name) {"gl" #name, "gl" #name, 0, {KIND_NONE}},
+#define OWN(name, function, ...) CALL_AS(name, function, __VA_ARGS__)
 #include "commands.def"
 };
 

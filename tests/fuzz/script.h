@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-enum { MAX_OPS = 8192, MAX_VALUES = 1 << 17, MAX_PARAMETERS = 10, MAX_WIDTH = 128, MAX_HEIGHT = 128 };
+enum { MAX_OPS = 8192, MAX_VALUES = 1 << 17, MAX_PARAMETERS = 11, MAX_WIDTH = 128, MAX_HEIGHT = 128 };
 
 /* How a parameter is printed and what a vector holds. */
 enum kind {
@@ -45,6 +45,9 @@ enum kind {
 #define KIND_ARRAY KIND_VECTOR
 #define KIND_INDICES KIND_VECTOR
 #define KIND_BYTES_IN KIND_VECTOR
+#define KIND_OFFSET KIND_INTEGER
+#define KIND_GLintptr KIND_INTEGER
+#define KIND_GLsizeiptr KIND_INTEGER
 
 enum command {
 #define CALL(name, ...) CMD_##name,
@@ -54,7 +57,7 @@ enum command {
 };
 
 struct command_info {
-    const char *name; /* with gl */
+    const char *name, *function; /* with gl: in scripts; of the library */
     int parameters;
     enum kind kind[MAX_PARAMETERS];
 };

@@ -1,0 +1,97 @@
+/* Features: more texture units, combiners of several textures, point sprites, texture objects. */
+#include "generator.h"
+#include "textures.h"
+
+enum { FIRST_UNIT = 2, UNITS = 8, FIRST_OBJECT = 1, OBJECTS = 4 };
+
+/* Another object of each target: what is set from now on is its own. */
+void feature_texture_object(struct generator *g)
+{
+    if (!use(g, FEATURE_texture))
+        return;
+    const int target = random_target(g);
+    EMIT(g, BindTexture, texture_targets[target], chance(g, 20) ? 0 : FIRST_OBJECT + 10 * target + below(g, OBJECTS));
+}
+
+/* A texture on a unit beyond the second; units have objects of their own, so that several are complete. */
+void feature_later_unit(struct generator *g)
+{
+    if (!use(g, FEATURE_texture))
+        return;
+    const int unit = chance(g, 60) ? FIRST_UNIT : integer(g, FIRST_UNIT, UNITS - 1);
+    EMIT(g, ActiveTexture, GL_TEXTURE0 + unit);
+    feature_texture_object(g);
+    feature_texture(g);
+    if (chance(g, 60))
+        feature_texture_env(g);
+    if (chance(g, 20) && use(g, FEATURE_texgen))
+        feature_texgen(g);
+    EMIT(g, ActiveTexture, GL_TEXTURE0);
+    if (!g->compiling)
+        EMIT(g, MultiTexCoord4f, GL_TEXTURE0 + unit, real(g, -2.0, 2.0), real(g, -2.0, 2.0), real(g, -2.0, 2.0), 1.0);
+}
+
+void feature_later_coord_inside(struct generator *g)
+{
+    EMIT(g, MultiTexCoord4f, GL_TEXTURE0 + FIRST_UNIT + below(g, 2), real(g, -2.0, 2.0), real(g, -2.0, 2.0), real(g, -2.0, 2.0), real(g, 0.5, 2.0));
+}
+
+/* GL_ARB_texture_env_crossbar: the texture of any unit as a source. */
+static double random_source(struct generator *g)
+{
+    return chance(g, 40) ? GL_TEXTURE0 + below(g, 3) : ONE_OF(g, GL_TEXTURE, GL_CONSTANT, GL_PRIMARY_COLOR, GL_PREVIOUS);
+}
+
+void feature_crossbar(struct generator *g)
+{
+    if (!use(g, FEATURE_texture))
+        return;
+    const int unit = below(g, 3);
+    double c[4];
+    random_color(g, c);
+    EMIT(g, ActiveTexture, GL_TEXTURE0 + unit);
+    EMIT(g, TexEnvi, GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);
+    EMIT(g, TexEnvfv, GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, c[0], c[1], c[2], c[3]);
+    EMIT(g, TexEnvi, GL_TEXTURE_ENV, GL_COMBINE_RGB, ONE_OF(g, GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE, GL_SUBTRACT,
+                                                            GL_DOT3_RGB, GL_DOT3_RGB, GL_DOT3_RGBA, GL_DOT3_RGBA));
+    EMIT(g, TexEnvi, GL_TEXTURE_ENV, GL_COMBINE_ALPHA, ONE_OF(g, GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE, GL_SUBTRACT));
+    for (int k = 0; k < 3; k++) {
+        EMIT(g, TexEnvi, GL_TEXTURE_ENV, GL_SOURCE0_RGB + k, random_source(g));
+        EMIT(g, TexEnvi, GL_TEXTURE_ENV, GL_SOURCE0_ALPHA + k, random_source(g));
+        EMIT(g, TexEnvi, GL_TEXTURE_ENV, GL_OPERAND0_RGB + k, ONE_OF(g, GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
+        EMIT(g, TexEnvi, GL_TEXTURE_ENV, GL_OPERAND0_ALPHA + k, ONE_OF(g, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
+    }
+    EMIT(g, TexEnvf, GL_TEXTURE_ENV, GL_RGB_SCALE, ONE_OF(g, 1, 1, 2, 4));
+    EMIT(g, TexEnvf, GL_TEXTURE_ENV, GL_ALPHA_SCALE, ONE_OF(g, 1, 1, 2, 4));
+    EMIT(g, ActiveTexture, GL_TEXTURE0);
+}
+
+/* Of a texture's level of detail on its unit, added to the texture's own (GL 1.5, 3.8.13). */
+void feature_unit_lod_bias(struct generator *g)
+{
+    EMIT(g, TexEnvf, GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, chance(g, 20) ? 0.0 : real(g, -2.0, 2.0));
+}
+
+/* Points alone are drawn with them: OSMesa replaces the coordinates of lines and triangles, too (departure replaced-coordinates), and
+ * draws a row below the scissor box and the window (departure sprites-below). */
+void feature_point_sprite(struct generator *g)
+{
+    if (g->querying)
+        return;
+    EMIT(g, Disable, GL_SCISSOR_TEST);
+    EMIT(g, Enable, GL_POINT_SPRITE_ARB);
+    for (int unit = 0; unit < 3; unit++) {
+        if (chance(g, 40))
+            continue;
+        EMIT(g, ActiveTexture, GL_TEXTURE0 + unit);
+        EMIT(g, TexEnvi, GL_POINT_SPRITE_ARB, GL_COORD_REPLACE_ARB, chance(g, 75));
+    }
+    EMIT(g, ActiveTexture, GL_TEXTURE0);
+    EMIT(g, PointSize, real(g, 1.0, 20.0));
+    EMIT(g, Begin, GL_POINTS);
+    g->steady = g->compiling;
+    emit_vertices(g, integer(g, 1, 8));
+    g->steady = false;
+    EMIT0(g, End);
+    EMIT(g, Disable, GL_POINT_SPRITE_ARB);
+}
