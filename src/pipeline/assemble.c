@@ -13,6 +13,7 @@ struct assembly {
     uint32_t base;
     bool filled;
     uint32_t (*next)[3]; /* filled: where in the list the next triangle goes */
+    const struct raster_plan *raster; /* points and lines: the plan, or that for a band of rows */
 };
 
 static FGL_ALWAYS_INLINE uint32_t number(const struct assembly *a, int i)
@@ -46,12 +47,19 @@ static FGL_ALWAYS_INLINE void add_filled(struct assembly *as, uint32_t a, uint32
     vertex[2] = c;
 }
 
+/* Makes it known to explain. */
+static inline void note_primitive(struct pipeline *p, const struct primitive *primitive)
+{
+    if (FGL_UNLIKELY(p->one_by_one))
+        p->primitive = *primitive;
+}
+
 /* A triangle some face of which is drawn as lines or points. */
 static FGL_NOINLINE void polygon_mode(struct pipeline *p, uint32_t a, uint32_t b, uint32_t c, unsigned edges)
 {
     const struct vertex_cache *v = &p->cache;
     const void *va = record(p, a), *vb = record(p, b), *vc = record(p, c);
-    p->primitive = (struct primitive){3, {a, b, c}};
+    note_primitive(p, &(struct primitive){3, {a, b, c}});
     const struct clip_vertices in = {
         .record = {va, vb, vc},
         .clip = {clip(p, a), clip(p, b), clip(p, c)},
@@ -83,15 +91,15 @@ static void line(const struct assembly *as, int i0, int i1, int *stipple_counter
     const uint32_t a = number(as, i0), b = number(as, i1);
     const struct vertex_cache *v = &p->cache;
     const void *va = record(p, a), *vb = record(p, b);
-    p->primitive = (struct primitive){2, {a, b, 0}};
+    note_primitive(p, &(struct primitive){2, {a, b, 0}});
     if ((v->outcode[a] | v->outcode[b]) == 0) {
-        fgl_raster_line(&p->plan.raster, va, vb, vb, stipple_counter);
+        fgl_raster_line(as->raster, va, vb, vb, stipple_counter);
     } else if ((v->outcode[a] & v->outcode[b]) == 0) {
         const struct clip_vertices in = {.record = {va, vb},
                                          .clip = {clip(p, a), clip(p, b)},
                                          .provoking = vb,
                                          .outcode = v->outcode[a] | v->outcode[b]};
-        p->plan.clip->line(p, &in, stipple_counter);
+        p->plan.clip->line(p, as->raster, &in, stipple_counter);
     }
 }
 
@@ -115,17 +123,16 @@ static void points(const struct assembly *as, int n)
     struct pipeline *p = as->p;
     for (int i = 0; i < n; i++) {
         const uint32_t v = number(as, i);
-        p->primitive = (struct primitive){1, {v, 0, 0}};
+        note_primitive(p, &(struct primitive){1, {v, 0, 0}});
         if (p->cache.outcode[v] == 0)
-            fgl_raster_point(&p->plan.raster, record(p, v), point_size(p, v));
+            fgl_raster_point(as->raster, record(p, v), point_size(p, v));
     }
 }
 
 /* The counter of line stipple goes on along strips and loops and starts anew for each of GL_LINES (3.4.2 "Line Stipple"). */
-static void lines(const struct assembly *as, const struct draw_prim *prim)
+static void lines(const struct assembly *as, const struct draw_prim *prim, int *counter)
 {
     const int n = prim->count;
-    int *counter = &as->p->stipple_counter;
     if (!prim->goes_on)
         *counter = 0;
     if (prim->mode == GL_LINES) {
@@ -137,6 +144,43 @@ static void lines(const struct assembly *as, const struct draw_prim *prim)
         line(as, i, i + 1, counter);
     if (prim->mode == GL_LINE_LOOP && n > 1)
         line(as, n - 1, 0, counter);
+}
+
+/* Lines in bands of rows that workers share. Points are not: to find out which a band has would take as long as to draw them. */
+struct line_job {
+    const struct assembly *as;
+    const struct draw_prim *prim;
+    int bands, stipple_counter; /* which runs alike in all of them */
+};
+
+static void line_band(void *arg, int band, int worker)
+{
+    (void)worker;
+    struct line_job *job = arg;
+    struct assembly as = *job->as;
+    const struct raster_plan raster = fgl_raster_band(as.raster, band, job->bands);
+    int counter = as.p->stipple_counter;
+    as.raster = &raster;
+    lines(&as, job->prim, &counter);
+    if (band == 0)
+        job->stipple_counter = counter;
+}
+
+/* Fewer vertices than this are not worth waking another thread for. */
+enum { SHARED_VERTICES = 1024 };
+
+static void share_lines(const struct assembly *as, const struct draw_prim *prim)
+{
+    struct pipeline *p = as->p;
+    const struct raster_plan *raster = as->raster;
+    const bool drawn = raster->line == raster->kernels->line; /* not taken by feedback or selection */
+    const bool worth = prim->count >= SHARED_VERTICES && drawn && !p->one_by_one;
+    struct line_job job = {as, prim, fgl_pipeline_bands(p, raster->bounds.y1 - raster->bounds.y0, worth), 0};
+    if (job.bands > 1)
+        fgl_workers_run(p->workers, job.bands, line_band, &job);
+    else
+        line_band(&job, 0, 0);
+    p->stipple_counter = job.stipple_counter;
 }
 
 static FGL_ALWAYS_INLINE void triangles(struct assembly *as, int n)
@@ -246,20 +290,20 @@ static FGL_ALWAYS_INLINE void polygons(struct assembly *as, GLenum mode, int n, 
 static FGL_ALWAYS_INLINE void filled(struct pipeline *p, const struct draw_prim *prim, const uint32_t *elements, uint32_t base, bool compiled)
 {
     struct triangle_list *t = &p->triangles;
-    struct assembly as = {p, elements, prim->first, base, true, t->vertex + t->n};
+    struct assembly as = {p, elements, prim->first, base, true, t->vertex + t->n, NULL};
     polygons(&as, prim->mode, prim->count, compiled);
     t->n = (int)(as.next - t->vertex);
 }
 
 void fgl_assemble(struct pipeline *p, const struct draw_prim *prim, const uint32_t *elements, uint32_t base, bool compiled)
 {
-    struct assembly as = {p, elements, prim->first, base, false, NULL};
+    struct assembly as = {p, elements, prim->first, base, false, NULL, &p->plan.raster};
     if (prim->mode < GL_TRIANGLES)
         fgl_triangles_flush(p); /* in the order given */
     if (prim->mode == GL_POINTS)
         points(&as, prim->count);
     else if (prim->mode < GL_TRIANGLES)
-        lines(&as, prim);
+        share_lines(&as, prim);
     else if (!p->plan.polygon_fill)
         polygons(&as, prim->mode, prim->count, compiled);
     else if (elements)

@@ -38,7 +38,7 @@ static real distance(const struct pipeline *p, const real *clip, int i)
 }
 
 /* The vertex at `from + t (to - from)`. Its window position: OSMesa does not fuse the viewport here. */
-static struct clip_vertex between(struct pipeline *p, struct clip_pool *pool, const struct clip_vertex *from,
+static struct clip_vertex between(const struct pipeline *p, struct clip_pool *pool, const struct clip_vertex *from,
                                   const struct clip_vertex *to, real t)
 {
     real *clip = pool->clip[pool->n], *record = pool->record[pool->n];
@@ -123,7 +123,7 @@ static void clip_triangle(struct pipeline *p, const struct raster_plan *raster, 
     emit_polygon(p, raster, list[now], n, in->provoking);
 }
 
-static void clip_line(struct pipeline *p, const struct clip_vertices *in, int *stipple_counter)
+static void clip_line(const struct pipeline *p, const struct raster_plan *raster, const struct clip_vertices *in, int *stipple_counter)
 {
     const struct clip_vertex a = {in->record[0], in->clip[0], false}, b = {in->record[1], in->clip[1], false};
     real t0 = 0, t1 = 0; /* how far each end moves towards the other */
@@ -142,7 +142,7 @@ static void clip_line(struct pipeline *p, const struct clip_vertices *in, int *s
     pool.n = 0;
     const struct clip_vertex from = t0 > 0 ? between(p, &pool, &a, &b, t0) : a;
     const struct clip_vertex to = t1 > 0 ? between(p, &pool, &b, &a, t1) : b;
-    fgl_raster_line(&p->plan.raster, from.record, to.record, in->provoking, stipple_counter);
+    fgl_raster_line(raster, from.record, to.record, in->provoking, stipple_counter);
 }
 
 #endif

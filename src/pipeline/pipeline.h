@@ -79,7 +79,7 @@ struct pipeline {
     struct plan_report *report; /* plan_report.h; NULL: none is wanted */
     struct explain *explain;    /* explain.h; NULL: no pixel is being explained */
     struct primitive primitive; /* what is being assembled, for explain */
-    bool one_by_one;            /* triangles are drawn as `primitive` */
+    bool one_by_one;            /* each is noted there before it is drawn */
     struct workers *workers; /* started by the first large draw */
     struct vertex_batch *batch[FGL_MAX_WORKERS]; /* each worker's, allocated when first used */
     int stipple_counter; /* of line stipple: of the line or polygon that was drawn last */
@@ -137,7 +137,7 @@ struct clip_vertices {
  * bounds. */
 struct clip_kernels {
     void (*triangle)(struct pipeline *p, const struct raster_plan *raster, const struct clip_vertices *in);
-    void (*line)(struct pipeline *p, const struct clip_vertices *in, int *stipple_counter);
+    void (*line)(const struct pipeline *p, const struct raster_plan *raster, const struct clip_vertices *in, int *stipple_counter);
     /* Window position, distance and texture coordinates of a raster position; false: it is clipped, nothing is set. */
     bool (*place)(struct context *ctx, const float object[4]);
     /* Writes those of n triangles that may be seen to `seen`, which has room for n. vertex: the triangles' vertices, readable in whole

@@ -86,10 +86,7 @@ static void fill_band(void *arg, int band, int worker)
     (void)worker;
     const struct fill_job *job = arg;
     const struct triangle_list *t = &job->p->triangles;
-    struct raster_plan raster = job->p->plan.raster;
-    const int height = raster.bounds.y1 - raster.bounds.y0, top = raster.bounds.y0;
-    raster.bounds.y0 = top + height * band / job->bands;
-    raster.bounds.y1 = top + height * (band + 1) / job->bands;
+    const struct raster_plan raster = fgl_raster_band(&job->p->plan.raster, band, job->bands);
     struct small_pixels pixels = {.n = 0};
     for (int k = 0; k < fgl_triangles_sections(t); k++)
         fill_section(job->p, &raster, t->seen + k * SECTION_TRIANGLES, t->section[k].n, &pixels);

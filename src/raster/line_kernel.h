@@ -188,6 +188,13 @@ static void smooth_line(const struct raster_plan *plan, const real *v0, const re
     smooth_triangle(plan, corner[3], corner[1], corner[2], provoking, SMOOTH_LINE);
 }
 
+/* Whether all of a line is above or below the bounds, which may be those of a band: asked before anything else is done for it. */
+static bool misses_rows(const struct raster_plan *plan, const real *v0, const real *v1)
+{
+    const real reach = (real)plan->line_width + 4, y0 = (real)plan->bounds.y0 - reach, y1 = (real)plan->bounds.y1 + reach;
+    return (v0[LANE_Y] < y0 && v1[LANE_Y] < y0) || (v0[LANE_Y] > y1 && v1[LANE_Y] > y1);
+}
+
 static void unstippled_line(const struct raster_plan *plan, const real *v0, const real *v1,
                             const real *provoking)
 {
@@ -213,9 +220,10 @@ static void stippled_line(const struct raster_plan *plan, const real *v0, const 
     if (!within_limit(v0) || !within_limit(v1))
         return;
     const int n = (int)r_ceil(length);
+    const bool missed = misses_rows(plan, v0, v1);
     int start = -1; /* of the stretch, or -1 outside */
     real a[LANE_MAX], b[LANE_MAX];
-    for (int i = 0; i <= n; i++) {
+    for (int i = 0; i <= n && !missed; i++) {
         const bool on =
                 i < n && plan->line_stipple_pattern >> ((*counter + i) / plan->line_stipple_factor & 15) & 1;
         if (on && start < 0)
@@ -235,7 +243,7 @@ static void draw_line(const struct raster_plan *plan, const void *v0, const void
 {
     if (plan->line_stipple)
         stippled_line(plan, v0, v1, provoking, stipple_counter);
-    else
+    else if (!misses_rows(plan, v0, v1))
         unstippled_line(plan, v0, v1, provoking);
 }
 

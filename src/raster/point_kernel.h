@@ -38,7 +38,7 @@ static void aliased_point(const struct raster_plan *plan, const real *v, float s
                            fgl_min(plan->bounds.x1, x + n), fgl_min(plan->bounds.y1, y + n)};
     struct planes planes;
     struct runs runs;
-    if (b.x0 >= b.x1)
+    if (b.x0 >= b.x1 || b.y0 >= b.y1)
         return;
     point_planes(plan, &planes, v);
     for (runs.y = b.y0; runs.y < b.y1; runs.y += runs.n) {

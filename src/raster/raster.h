@@ -104,6 +104,16 @@ struct rect fgl_raster_bounds(const struct scissor_state *scissor, const struct 
 void fgl_raster_validate(struct raster_plan *plan, const struct server_state *s,
                          const struct fragment_plan *fragment);
 
+/* The same for one of `bands` bands of rows. */
+static inline struct raster_plan fgl_raster_band(const struct raster_plan *plan, int band, int bands)
+{
+    struct raster_plan narrowed = *plan;
+    const int top = plan->bounds.y0, height = plan->bounds.y1 - top;
+    narrowed.bounds.y0 = top + height * band / bands;
+    narrowed.bounds.y1 = top + height * (band + 1) / bands;
+    return narrowed;
+}
+
 /* A filled triangle in the order that set-up must see; `provoking` is the vertex flat colours come from.
  * Culls by snapped area. Draws nothing when a coordinate is NaN or infinite. */
 static inline void fgl_raster_triangle(const struct raster_plan *plan, const void *v0, const void *v1, const void *v2,

@@ -1,4 +1,4 @@
-/* Large pixel rectangles are drawn in bands of rows that worker threads share (pipeline/draw.c): the bytes of colour, depth and stencil are those
+/* Many lines, and large pixel rectangles, are drawn in bands of rows that worker threads share (fgl_pipeline_bands): the bytes of colour, depth and stencil are those
  * that one thread draws. */
 #define _XOPEN_SOURCE 700
 #include "api/gl_test.h"
@@ -72,6 +72,46 @@ static void counted(void)
     assert_int_equal(passed, SIZE * SIZE + SIZE * (SIZE - 7));
 }
 
+/* A strip whose stipple goes on into the lines of the next band, some of it outside of the window, then level lines. */
+static void lines(void)
+{
+    enum { VERTICES = 1500 };
+    for (int k = 0; k < 2; k++) {
+        glBegin(k ? GL_LINES : GL_LINE_STRIP);
+        for (int i = 0; i < VERTICES; i++) {
+            const GLuint *p = &image[4 * (k * VERTICES + i)], *first = p - (k ? 4 * (i % 2) : 0);
+            glColor4ub(p[0] >> 5 & 255, p[1] >> 5 & 255, p[2] >> 5 & 255, 200);
+            glVertex3f((float)(p[0] >> 8 & 1023) / 400 - 1.3f, (float)(first[1] >> 8 & 1023) / 400 - 1.3f, (float)(p[2] >> 8 & 1023) / 1023);
+        }
+        glEnd();
+    }
+}
+
+static void plain_lines(void)
+{
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_GREATER);
+    lines();
+}
+
+static void stippled_lines(void)
+{
+    glEnable(GL_LINE_STIPPLE);
+    glLineStipple(3, 0x4f0f);
+    glLineWidth(4);
+    lines();
+}
+
+static void smooth_lines(void)
+{
+    glEnable(GL_LINE_SMOOTH);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    stippled_lines();
+    glLineWidth(1);
+    plain_lines();
+}
+
 /* Draws with so many threads into *planes. */
 static void draw(void (*scene)(void), const char *threads, struct planes *planes)
 {
@@ -92,7 +132,7 @@ static void draw(void (*scene)(void), const char *threads, struct planes *planes
 
 static void bands(void **state)
 {
-    static void (*const scenes[])(void) = {colors, blended, zoomed, depths, copied, counted};
+    static void (*const scenes[])(void) = {colors, blended, zoomed, depths, copied, counted, plain_lines, stippled_lines, smooth_lines};
     static const char *const threads[] = {"2", "5"};
     static struct planes one, some;
     (void)state;
