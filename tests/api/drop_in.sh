@@ -20,8 +20,19 @@ cat >"$dir/old.c" <<'EOF'
 extern unsigned int glCreateShader(unsigned int type);
 extern void *glXGetCurrentContext(void);
 extern void (*glXGetProcAddressARB(const unsigned char *name))(void);
+/* The questions that GLEW asks before it loads anything. */
+static int glew_is_answered(void)
+{
+    int major = 0, minor = 0;
+    void *(*current)(void) = (void *(*)(void))glXGetProcAddressARB((const unsigned char *)"glXGetCurrentDisplay");
+    int (*version)(void *, int *, int *) = (int (*)(void *, int *, int *))glXGetProcAddressARB((const unsigned char *)"glXQueryVersion");
+    const char *(*string)(void *, int) = (const char *(*)(void *, int))glXGetProcAddressARB((const unsigned char *)"glXGetClientString");
+    return current && current() && version && version(current(), &major, &minor) && major == 1 && minor == 4 && string &&
+           *string(current(), 3) == 0;
+}
 static void display(void)
 {
+    printf("glew %d ", glew_is_answered());
     glClearColor(0, 1, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     printf("%s %d %d %d %d\n", (const char *)glGetString(GL_RENDERER), glXGetCurrentContext() != NULL,
@@ -41,7 +52,7 @@ $CC -Iinclude "$dir/old.c" "$dir/libglut.so.3" "$dir/libGL.so.1" -Wl,-z,now -o "
 answer=$(LD_LIBRARY_PATH=$BUILD/lib/drop-in FIXEDGL_CAPTURE=$dir/old.pam "$dir/old" 2>"$dir/old.err")
 echo "$answer"
 cat "$dir/old.err"
-case "$answer" in "FixedGL"*" 1 1 0 0") ;; *) exit 1 ;; esac
+case "$answer" in "glew 1 FixedGL"*" 1 1 0 0") ;; *) exit 1 ;; esac
 grep -q "there is no glCreateShader here" "$dir/old.err"
 [ -s "$dir/old.pam" ]
 
