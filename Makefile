@@ -242,9 +242,9 @@ deps:
 	@tests/tools/deps.sh
 
 install: libs $(FIXEDGL) $(MEASURE)
-	install -d $(DESTDIR)$(PREFIX)/include/GL $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(LIBDIR)/fixedgl $(DESTDIR)$(PREFIX)/bin
+	install -d $(addprefix $(DESTDIR)$(PREFIX)/include/,GL GLUT OpenGL) $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(LIBDIR)/fixedgl $(DESTDIR)$(PREFIX)/bin
 	install -m 644 include/fixedgl.h $(DESTDIR)$(PREFIX)/include
-	install -m 644 include/GL/*.h $(DESTDIR)$(PREFIX)/include/GL
+	for d in GL GLUT OpenGL; do install -m 644 include/$$d/*.h $(DESTDIR)$(PREFIX)/include/$$d || exit 1; done
 	install -m 644 $(LIB)/libfixedgl.a $(LIB)/libfixedglut.a $(DESTDIR)$(LIBDIR)
 	for l in fixedgl fixedglut; do \
 	    install -m 755 $(LIB)/lib$$l.so $(DESTDIR)$(LIBDIR)/lib$$l.so.0 && \

@@ -1,6 +1,10 @@
 /* What freeglut adds to GLUT, but for the shapes (test_shapes.c). */
 #include "headless.h"
 #include <GL/freeglut.h>
+#include <GLUT/glut.h> /* and the names of macOS, which are the same headers */
+#include <OpenGL/gl.h>
+#include <OpenGL/glext.h>
+#include <OpenGL/glu.h>
 
 static void display(void) {}
 

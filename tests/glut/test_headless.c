@@ -150,6 +150,23 @@ static void idle_program(void)
     glutMainLoop();
 }
 
+/* Holds its rate of frames by waiting, as many programs do. */
+static void wait_in_idle(void)
+{
+    int start = glutGet(GLUT_ELAPSED_TIME), asked = 0;
+    for (; glutGet(GLUT_ELAPSED_TIME) < start + 3; asked++)
+        if (asked > 1000000)
+            exit(97);
+    idle();
+}
+
+static void waiting_program(void)
+{
+    open_window();
+    glutIdleFunc(wait_in_idle);
+    glutMainLoop();
+}
+
 static void test_clock(void **state)
 {
     (void)state;
@@ -160,6 +177,8 @@ static void test_clock(void **state)
                FIRST "idle 16;display 16;idle 32;display 32;");
     expect_run(idle_program, VARIABLES("FIXEDGL_EVENTS=wait 1;time 20"), 0,
                FIRST "idle 16;display 16;idle 32;display 32;idle 36;display 36;");
+    expect_run(waiting_program, VARIABLES("FIXEDGL_FRAMES=3"), 0,
+               FIRST "idle 19;display 19;idle 38;display 38;");
 }
 
 /* ---- menus and child windows ---- */
