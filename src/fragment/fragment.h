@@ -135,6 +135,7 @@ struct fragment_plan {
 
     enum color_source color_source;
     float constant_color[4];
+    bool primary_interpolated; /* OSMesa rule: a constant colour is interpolated where combiners name GL_PRIMARY_COLOR, but not as GL_PREVIOUS */
     struct lit_lanes lit; /* for COLOR_LIT; set by the caller of fgl_fragment_validate */
     bool has_secondary; /* separate specular or colour sum, */
     enum color_source secondary_source; /* from LANE_SECONDARY, lit, or */
@@ -171,7 +172,7 @@ struct fragment_plan {
 };
 
 /* Fills *plan from state, but arith, color_source, constant_color, the secondary colour's, keeps_color and texture_varying: these depend on the
- * vertex stage, and the caller has set them before. general: nothing specialised (FIXEDGL_PATH=general). */
+ * vertex stage, and the caller has set them before, and primary_interpolated where that may be. general: nothing specialised (FIXEDGL_PATH=general). */
 void fgl_fragment_validate(struct fragment_plan *plan, const struct server_state *s, struct framebuffer *fb,
                            bool general);
 

@@ -101,4 +101,7 @@ bool fgl_texture_products(const struct texture_stage *stage, int n);
 /* Whether the colour that comes out of the stages depends on the one that went in. */
 bool fgl_texture_reads_primary(const struct texture_stage *stage, int n);
 
+/* Whether a combiner names GL_PRIMARY_COLOR. */
+bool fgl_texture_names_primary(const struct texture_stage *stage, int n);
+
 #endif

@@ -178,7 +178,12 @@ static FGL_NOINLINE void apply_product(struct fragments *f, const struct planes 
 static FGL_NOINLINE void apply_combiners(struct fragments *f, const struct fragment_plan *plan, const struct planes *p)
 {
     struct combine_inputs in;
-    memcpy(in.primary, f->color, sizeof in.primary);
+    for (int c = 0; c < 4; c++) {
+        if (plan->primary_interpolated)
+            interpolate_channel(f, p, LANE_COLOR + c, in.primary[c]);
+        else
+            memcpy(in.primary[c], f->color[c], sizeof in.primary[c]);
+    }
     for (int unit = 0; unit < FGL_MAX_TEXTURE_UNITS; unit++)
         in.stage_of_unit[unit] = -1;
     for (int stage = 0; stage < plan->textures; stage++) {

@@ -279,6 +279,16 @@ bool fgl_texture_reads_primary(const struct texture_stage *stage, int n)
     return needed[0] || needed[1] || primary[0] || primary[1];
 }
 
+bool fgl_texture_names_primary(const struct texture_stage *stage, int n)
+{
+    bool previous[2], primary[2] = {false, false};
+    for (int i = 0; i < n; i++) {
+        note_reads(&stage[i].environment.rgb, false, previous, primary);
+        note_reads(&stage[i].environment.alpha, true, previous, primary);
+    }
+    return primary[0] || primary[1];
+}
+
 bool fgl_texture_products(const struct texture_stage *stage, int n)
 {
     for (int i = 0; i < n; i++)

@@ -9,7 +9,7 @@ static int lanes_of(const struct fragment_plan *plan)
     const bool lit = plan->color_source == COLOR_LIT;
     if ((plan->has_secondary && plan->secondary_source != COLOR_CONSTANT && !lit) || plan->has_fog)
         return LANE_TEX0;
-    return plan->color_source == COLOR_CONSTANT || lit ? LANE_COLOR : LANE_SECONDARY;
+    return (plan->color_source == COLOR_CONSTANT && !plan->primary_interpolated) || lit ? LANE_COLOR : LANE_SECONDARY;
 }
 
 /* OSMesa rule: coefficients in double, rounded to float once. */
@@ -81,6 +81,7 @@ static void validate_textures(struct fragment_plan *plan, const struct server_st
     plan->texture_products = !general && fgl_texture_products(plan->texture, plan->textures);
     if (!plan->keeps_color && !plan->has_secondary && !fgl_texture_reads_primary(plan->texture, plan->textures))
         plan->color_source = COLOR_CONSTANT;
+    plan->primary_interpolated = plan->primary_interpolated && fgl_texture_names_primary(plan->texture, plan->textures);
     plan->lanes = lanes_of(plan);
     for (int i = 0; i < plan->textures; i++)
         if (plan->texture[i].source == COORDINATES_PLANES) {

@@ -86,7 +86,7 @@ static void update_emit(struct plan *plan)
     struct emit_plan *e = &plan->emit;
     const enum fgl_arith arith = plan->vertex.arith;
     const bool lit = plan->vertex.light_fragments;
-    e->color = plan->fragment.color_source != COLOR_CONSTANT && !lit;
+    e->color = (plan->fragment.color_source != COLOR_CONSTANT || plan->fragment.primary_interpolated) && !lit;
     e->secondary = plan->fragment.has_secondary && plan->fragment.secondary_source != COLOR_CONSTANT && !lit;
     e->fog = plan->fragment.has_fog;
     e->two_sided = plan->vertex.lighting && plan->vertex.light.two_sided && !lit;
@@ -137,6 +137,8 @@ static void update_fragment(struct context *ctx, struct pipeline *p, uint32_t va
     if (ctx->color_index)
         f->constant_color[0] = (float)fgl_index_mask((double)ctx->s.current.attr[ATTR_INDEX][0]);
     update_secondary(ctx, f, varying);
+    f->primary_interpolated = f->arith != ARITH_EXACT && f->color_source == COLOR_CONSTANT && !ctx->color_index &&
+                              ctx->s.lighting.shade_model != GL_FLAT;
     f->keeps_color = ctx->render_mode != GL_RENDER;
     f->texture_varying = 0;
     for (int k = 0; k < plan->vertex.textures; k++)
@@ -160,6 +162,7 @@ void fgl_pipeline_validate(struct context *ctx, uint32_t varying)
         fgl_vertex_validate(&p->plan.vertex, ctx, varying, ctx->framebuffer->height);
     if (ctx->dirty & FRAGMENT_DEPS)
         update_fragment(ctx, p, varying);
+    p->plan.vertex.color_is_spread = p->plan.fragment.primary_interpolated;
     update_emit(&p->plan);
     p->plan.fetch = fetch_mask(&p->plan);
     p->plan.varying = varying;

@@ -198,6 +198,13 @@ static void run_colors(struct vertex_batch *b, int first, int n)
         clamp_lane(b->in[ATTR_COLOR].c[c] + first, RESULTS(b)->color[0].c[c] + first, n);
 }
 
+static void spread_color(const struct vertex_plan *plan, struct vertex_batch *b, int first, int n)
+{
+    for (int c = 0; c < 4; c++)
+        for (int i = first; i < first + n; i++)
+            RESULTS(b)->color[0].c[c][i] = (real)fgl_clamp01(plan->constant[ATTR_COLOR][c]);
+}
+
 /* Returns whether a vertex is extreme. */
 static bool gather_extremes(struct vertex_work *work, struct vertex_batch *b, int first, int n)
 {
@@ -300,6 +307,8 @@ static bool shade_chunk(const struct vertex_plan *plan, struct vertex_batch *b, 
         point_sizes(plan, b, first, n);
     if (plan->color_is_varying)
         run_colors(b, first, n);
+    else if (plan->color_is_spread)
+        spread_color(plan, b, first, n);
     for (int c = 0; c < 3 && plan->secondary_is_varying; c++)
         clamp_lane(b->in[ATTR_SECONDARY_COLOR].c[c] + first, RESULTS(b)->secondary[0].c[c] + first, n);
     if (plan->index_is_varying)

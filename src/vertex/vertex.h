@@ -135,6 +135,7 @@ struct vertex_plan {
 
     bool secondary_is_varying; /* without lighting: colour sum with secondary colours from the batch */
     bool color_is_varying; /* without lighting: colours come from the batch, else constant (not computed) */
+    bool color_is_spread; /* constant, but wanted for each vertex. Set after fgl_vertex_validate */
     uint32_t varying;      /* the attributes that differ by vertex */
     float constant[ATTR_MATERIAL][4]; /* current values of the others */
 };
