@@ -22,8 +22,8 @@ static void take_run(uint32_t *bits, int32_t *x0, int32_t *x1)
     *bits &= carry;
 }
 
-/* The ones of n rows as fragments: the first run of each row together, then the second, and so on. bits: of the rows from window row y
- * down; bit 0 is at window column x. */
+/* The ones of n rows as fragments: the first run of each row together, then the second, and so on. bits: of the rows from row y
+ * on; bit 0 is at window column x. */
 static void draw_bits(const struct pixel_draw *draw, int x, int y, int n, uint32_t *bits)
 {
     struct runs runs;
@@ -43,19 +43,20 @@ static void draw_bits(const struct pixel_draw *draw, int x, int y, int n, uint32
     }
 }
 
-/* (x, y): the window position of the bitmap's lower left corner, y down. */
-static void draw_bitmap(const struct pixel_draw *draw, const struct pixel_image *image, int x, int y, int width, int height)
+/* (x, y): the window position of the bitmap's lower left corner, y up. */
+static void draw_bitmap(const struct pixel_draw *draw, const struct framebuffer *fb, const struct pixel_image *image, int x, int y, int width,
+                        int height)
 {
-    const struct rect *bounds = &draw->bounds;
-    const int x0 = fgl_max(bounds->x0, x), x1 = fgl_min(bounds->x1, x + width);
-    const int y0 = fgl_max(bounds->y0, y - height + 1), y1 = fgl_min(bounds->y1, y + 1);
+    const struct rect *bounds = &draw->bounds, covered = fgl_turned(fb, (struct rect){x, y, x + width, y + height});
+    const int x0 = fgl_max(bounds->x0, covered.x0), x1 = fgl_min(bounds->x1, covered.x1);
+    const int y0 = fgl_max(bounds->y0, covered.y0), y1 = fgl_min(bounds->y1, covered.y1);
     uint32_t bits[RUNS_MAX];
-    for (int top = y0; top < y1; top += RUNS_MAX)
+    for (int first = y0; first < y1; first += RUNS_MAX)
         for (int left = x0; left < x1; left += BITMAP_CHUNK) {
-            const int n = fgl_min(RUNS_MAX, y1 - top), columns = fgl_min(BITMAP_CHUNK, x1 - left);
+            const int n = fgl_min(RUNS_MAX, y1 - first), columns = fgl_min(BITMAP_CHUNK, x1 - left);
             for (int i = 0; i < n; i++)
-                bits[i] = fgl_unpack_bits(image, y - (top + i), left - x, columns);
-            draw_bits(draw, left, top, n, bits);
+                bits[i] = fgl_unpack_bits(image, fgl_row(fb, first + i) - y, left - x, columns);
+            draw_bits(draw, left, first, n, bits);
         }
 }
 
@@ -80,7 +81,7 @@ void fgl_bitmap(struct context *ctx, int width, int height, const float origin[2
                   y = corner(current->raster_position[1], origin[1]);
         struct pixel_draw draw;
         fgl_pixels_begin(ctx, PIXELS_BITMAP, &draw);
-        draw_bitmap(&draw, &image, x, ctx->framebuffer->height - 1 - y, width, height);
+        draw_bitmap(&draw, ctx->framebuffer, &image, x, y, width, height);
     }
     current->raster_position[0] += move[0];
     current->raster_position[1] += move[1];

@@ -57,8 +57,8 @@ static void copy_plane(const struct framebuffer *from, const void *source, const
         const int row = y->sample[j - y->first].at[0];
         if (row < 0)
             continue;
-        const char *in = (const char *)source + (size_t)(from->height - 1 - row) * (size_t)from->stride * bytes;
-        char *out = (char *)destination + (size_t)(to->height - 1 - j) * (size_t)to->stride * bytes;
+        const char *in = (const char *)source + (size_t)fgl_row(from, row) * (size_t)from->stride * bytes;
+        char *out = (char *)destination + (size_t)fgl_row(to, j) * (size_t)to->stride * bytes;
         for (int i = x->first; i < x->end; i++)
             if (x->sample[i - x->first].at[0] >= 0)
                 memcpy(out + (size_t)i * bytes, in + (size_t)x->sample[i - x->first].at[0] * bytes, bytes);
@@ -74,7 +74,7 @@ static void read_row(const struct framebuffer *fb, int y, float *row)
             .image = fgl_pixel_image(&fgl_packed_store, GL_RGBA, GL_FLOAT, fb->width, row),
             .mode = &no_transfer,
     };
-    fgl_pack_row(&pack, fb, 0, fb->height - 1 - y, fb->width, 0, 0);
+    fgl_pack_row(&pack, fb, 0, fgl_row(fb, y), fb->width, 0, 0);
 }
 
 static void write_pixel(const struct framebuffer *fb, size_t at, const float c[4])
@@ -126,7 +126,7 @@ static bool copy_color(const struct framebuffer *from, const struct framebuffer 
             if (x->sample[i - x->first].at[0] < 0)
                 continue;
             blend(row, &x->sample[i - x->first], s->fraction, color);
-            write_pixel(to, (size_t)(to->height - 1 - j) * (size_t)to->stride + (size_t)i, color);
+            write_pixel(to, (size_t)fgl_row(to, j) * (size_t)to->stride + (size_t)i, color);
         }
     }
     free(rows);
@@ -185,11 +185,11 @@ void fgl_exec_BlitFramebuffer(struct context *ctx, GLint srcX0, GLint srcY0, GLi
     error = buffers_error(ctx, &mask);
     RETURN_ERROR_IF(ctx, error, error);
     const struct framebuffer *from = ctx->read_framebuffer, *to = ctx->framebuffer;
-    const struct rect r = fgl_raster_bounds(&ctx->s.scissor, to);
+    const struct rect r = fgl_turned(to, fgl_raster_bounds(&ctx->s.scissor, to));
     const bool linear = filter == GL_LINEAR;
     struct axis x = {0}, y = {0};
     if (mask && srcX0 != srcX1 && srcY0 != srcY1 && map_axis(&x, dstX0, dstX1, r.x0, r.x1, srcX0, srcX1, from->width, linear) &&
-        map_axis(&y, dstY0, dstY1, to->height - r.y1, to->height - r.y0, srcY0, srcY1, from->height, linear) &&
+        map_axis(&y, dstY0, dstY1, r.y0, r.y1, srcY0, srcY1, from->height, linear) &&
         !copy(ctx, mask, &x, &y))
         fgl_error(ctx, GL_OUT_OF_MEMORY);
     free(x.sample);

@@ -45,7 +45,7 @@ static void *read_rectangle(const struct context *ctx, int x, int y, int width, 
     const int64_t right = (int64_t)x + width, top = (int64_t)y + height;
     const int x0 = fgl_max(x, 0), x1 = right < fb->width ? (int)right : fb->width;
     for (int64_t row = fgl_max(y, 0); pixels && x0 < x1 && row < top && row < fb->height; row++)
-        fgl_pack_row(&pack, fb, x0, fb->height - 1 - (int)row, x1 - x0, (int)(row - y), x0 - x);
+        fgl_pack_row(&pack, fb, x0, fgl_row(fb, (int)row), x1 - x0, (int)(row - y), x0 - x);
     return pixels;
 }
 

@@ -56,7 +56,7 @@ static bool place(const struct context *ctx, int width, int height, const struct
     const struct framebuffer *fb = ctx->framebuffer;
     const float *position = ctx->s.current.raster_position;
     fgl_zoom_setup(zoom, round_position(position[0]), round_position(position[1]), width, height,
-                   ctx->s.pixel_mode.zoom_x, ctx->s.pixel_mode.zoom_y, fb->width, fb->height, copied);
+                   ctx->s.pixel_mode.zoom_x, ctx->s.pixel_mode.zoom_y, fb, copied && !ctx->read_framebuffer->y_up);
     area->x0 = fgl_max(zoom->covered.x0, bounds->x0);
     area->y0 = fgl_max(zoom->covered.y0, bounds->y0);
     area->x1 = fgl_min(zoom->covered.x1, bounds->x1);

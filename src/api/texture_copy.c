@@ -110,7 +110,7 @@ static void copy(struct context *ctx, struct texture_image *image, struct source
             image->kind == TEXELS_DEPTH ? copy_depths : copies_bytes(ctx, image) ? copy_bytes : copy_colors;
     for (int y = y0; y < y1; y++)
         for (int x = x0; x < x1; x += PIXEL_CHUNK)
-            run(ctx, image, x, fb->height - 1 - y, fgl_min(PIXEL_CHUNK, x1 - x), to_x + x - from.x, to_y + y - from.y,
+            run(ctx, image, x, fgl_row(fb, y), fgl_min(PIXEL_CHUNK, x1 - x), to_x + x - from.x, to_y + y - from.y,
                 to_z);
 }
 

@@ -59,7 +59,7 @@ struct vertex_batch {
 
     /* out: written only where the plan says so */
     struct lanes4 clip;       /* clip space x y z w */
-    struct lanes4 win;        /* window space x, y (y down, from the framebuffer's top), z in [0,1]; c[3] = 1/w_clip */
+    struct lanes4 win;        /* window space x, y (along the framebuffer's rows), z in [0,1]; c[3] = 1/w_clip */
     struct lanes4 color[2];   /* lit or given colour, clamped to [0,1]; [1]: the back face's, when two-sided */
     struct lanes4 secondary[2]; /* separate specular colour, clamped */
     struct lanes4 texture[FGL_MAX_TEXTURE_UNITS]; /* coordinates that are computed, as struct vertex_plan lists them */

@@ -47,7 +47,7 @@ enum smoothing {
     SMOOTH_WHOLE  /* nothing: polygons in colour index mode, whose fragments are all completely covered */
 };
 
-/* Attribute planes of one primitive: the value at integer pixel (X, Y), y down, is fma(dady, Y, fma(dadx, X,
+/* Attribute planes of one primitive: the value at integer pixel (X, Y), column and row, is fma(dady, Y, fma(dadx, X,
  * a00)). Smooth attributes other than z and 1/w hold attribute/w and are divided by the plane of 1/w. Flat
  * colours have their value in a00 and zero gradients, and are not divided. */
 struct planes {

@@ -47,7 +47,7 @@ static inline void start_fragments(struct fragments *f, const struct fragment_pl
 {
     uint32_t stipple = 0xffffffff;
     if (p->stipple)
-        stipple = p->stipple->row[(plan->fb->height - 1 - row) & 31];
+        stipple = p->stipple->row[fgl_row(plan->fb, row) & 31];
     place_fragments(f, row, x);
     FOR_GROUP(i)
         f->live[i] = -((x + i >= x0) & (x + i < x1) & (int32_t)(stipple >> (31 - ((x + i) & 31)) & 1));

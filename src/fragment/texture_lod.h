@@ -1,6 +1,6 @@
 /* Which images of a texture each fragment reads: scale factor and level of detail (GL 1.5, 3.8.8 "Texture Minification"). Kernels only.
  *
- * OSMesa rules: but for cube maps both are found once for each square of 2 x 2 pixels at even x and y (y down), from the differences of
+ * OSMesa rules: but for cube maps both are found once for each square of 2 x 2 pixels at even columns and rows, from the differences of
  * its upper left pixel to its neighbours; the scale factor is kept squared, but for 1D textures; its logarithm is linear between powers of two. */
 #ifndef FGL_FRAGMENT_TEXTURE_LOD_H
 #define FGL_FRAGMENT_TEXTURE_LOD_H

@@ -1,8 +1,10 @@
 /* The framebuffer: colour, depth, stencil and accumulation buffers of a context (GL 1.5, chapter 4). Layer 2.
  *
  * Private storage, as OSMesa's: the caller's buffer changes only when it is copied out (osmesa/osmesa.c, at glFlush and glFinish).
- * Row 0 is the top: window y runs down inside, `row = height - 1 - y_gl`. Every row is padded to a multiple of FB_ALIGN pixels and starts
- * on 64 bytes, so that a kernel may read and write back whole aligned groups of pixels that reach over the right edge. */
+ * Row 0 is the top of the window, and the bottom of a framebuffer object (y_up). Which of the two it is shows in the viewport's transformation,
+ * in the rows that level edges own, and where window coordinates become rows: fgl_row, fgl_turned. Every row is padded to a multiple of
+ * FB_ALIGN pixels and starts on 64 bytes, so that a kernel may read and write back whole aligned groups of pixels that reach over the right
+ * edge. */
 #ifndef FGL_FRAMEBUFFER_FRAMEBUFFER_H
 #define FGL_FRAMEBUFFER_FRAMEBUFFER_H
 
@@ -23,6 +25,7 @@ struct framebuffer {
     int width, height;
     int stride; /* pixels from a row to the next: width rounded up to FB_ALIGN */
     enum color_kind color_kind;
+    bool y_up;      /* row 0 is the lowest. OSMesa rule: in framebuffer objects */
     bool has_alpha; /* false for RGB formats: alpha reads as 1 */
     bool reordered;     /* the caller's bytes are in another order than red, green, blue, alpha, or three */
     bool one_component; /* of an image that keeps no more of a colour */
@@ -47,8 +50,26 @@ bool fgl_framebuffer_need_accum(struct framebuffer *fb);
 void fgl_framebuffer_free(struct framebuffer *fb);
 
 struct rect {
-    int x0, y0, x1, y1; /* window pixels, y down, half open */
+    int x0, y0, x1, y1; /* columns and rows, half open */
 };
+
+/* The row of window coordinate y (y up), and the other way around. */
+static inline int fgl_row(const struct framebuffer *fb, int y)
+{
+    return fb->y_up ? y : fb->height - 1 - y;
+}
+
+/* The rows of a rectangle of window pixels (y up), and the other way around. */
+static inline struct rect fgl_turned(const struct framebuffer *fb, struct rect r)
+{
+    return fb->y_up ? r : (struct rect){r.x0, fb->height - r.y1, r.x1, fb->height - r.y0};
+}
+
+/* Window y (y up), not only of pixels, from where it is among the rows, and the other way around. */
+static inline float fgl_turned_y(const struct framebuffer *fb, float y)
+{
+    return fb->y_up ? y : (float)fb->height - y;
+}
 
 /* clear.c (GL 1.5, 4.2.3). Colour as given to glClearColor; only channels in mask. drawn: not all of the buffer is cleared; OSMesa
  * draws a rectangle then, whose values may be rounded differently. */

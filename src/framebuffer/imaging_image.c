@@ -44,7 +44,7 @@ bool fgl_colors_fetch(const struct framebuffer *fb, const struct pixel_mode_stat
     const int x0 = fgl_max(x, 0), x1 = right < fb->width ? (int)right : fb->width;
     const int y0 = fgl_max(y, 0), y1 = top < fb->height ? (int)top : fb->height;
     for (int row = y0; x0 < x1 && row < y1; row++)
-        fgl_pack_row(&pack, fb, x0, fb->height - 1 - row, x1 - x0, row - y, x0 - x);
+        fgl_pack_row(&pack, fb, x0, fgl_row(fb, row), x1 - x0, row - y, x0 - x);
     return true;
 }
 

@@ -14,7 +14,7 @@ struct pixel_pack {
     bool clamps; /* colours of a float buffer, after their transfer */
 };
 
-/* Packs n pixels from column x of framebuffer row y (y down) into the image's row `row` from pixel `column`
+/* Packs n pixels from column x of framebuffer row y into the image's row `row` from pixel `column`
  * on. The pixels are all in the framebuffer, and the framebuffer has the buffer that the format names. Writes
  * those pixels and no other byte; of a bitmap, those bits. */
 void fgl_pack_row(const struct pixel_pack *pack, const struct framebuffer *fb, int x, int y, int n, int row,

@@ -114,7 +114,7 @@ bool fgl_explain_look(struct context *ctx)
     take_size(e, fb);
     if (e->x >= fb->width || e->y >= fb->height)
         return false;
-    const struct pixel_value now = fgl_explain_pixel(fb, fb->height - 1 - e->y, e->x);
+    const struct pixel_value now = fgl_explain_pixel(fb, fgl_row(fb, e->y), e->x);
     if (e->seen && memcmp(now.color, e->value.color, sizeof now.color) != 0) {
         struct explain_event *event = fgl_explain_add(e, OUTCOME_OTHER);
         event->before = e->value;
@@ -141,7 +141,7 @@ void fgl_explain_clear(struct context *ctx, GLbitfield mask, struct rect r)
 {
     struct explain *e = ctx->pipeline->explain;
     const struct framebuffer *fb = ctx->framebuffer;
-    const int row = fb->height - 1 - e->y;
+    const int row = fgl_row(fb, e->y);
     const struct color_buffer_state *color = &ctx->s.color_buffer;
     bool some, all;
     take_size(e, fb);

@@ -92,6 +92,7 @@ bool fgl_explain_scratch(struct scratch *s, const struct framebuffer *fb)
     s->indexed = fb->color_kind == COLOR_INDEX8;
     s->fb.width = fb->width;
     s->fb.height = fb->height;
+    s->fb.y_up = fb->y_up;
     s->fb.stride = 0; /* every row is this one */
     s->fb.has_alpha = true;
     s->fb.depth_bits = fb->depth_bits ? fb->depth_bits : 24;

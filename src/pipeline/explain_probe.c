@@ -194,7 +194,7 @@ static bool faces_front(const struct raster_plan *raster, const struct explain_d
     const double volume = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
                           m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
                           m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-    return (volume > 0) == raster->front_is_ccw;
+    return (volume > 0) == (raster->front_is_ccw != raster->fragment->fb->y_up);
 }
 
 /* The pixel as what was lit: its materials are the vertices', weighted. */
@@ -285,7 +285,7 @@ static void probe_draw(struct context *ctx, const struct vertex_source *source, 
     struct probe probe = {.p = p,
                           .e = e,
                           .real = p->plan.fragment,
-                          .row = ctx->framebuffer->height - 1 - e->y,
+                          .row = fgl_row(ctx->framebuffer, e->y),
                           .base = base};
     const int counter = p->stipple_counter;
     const struct pixel_value before = fgl_explain_pixel(ctx->framebuffer, probe.row, e->x);
@@ -330,7 +330,7 @@ void fgl_explain_draw(struct context *ctx, const struct vertex_source *source, c
     struct explain *e = p->explain;
     const struct rect *b = &p->plan.raster.bounds;
     const bool inside = fgl_explain_look(ctx);
-    const int row = ctx->framebuffer->height - 1 - e->y;
+    const int row = fgl_row(ctx->framebuffer, e->y);
     const bool visible = inside && ctx->render_mode == GL_RENDER && e->x >= b->x0 && e->x < b->x1 &&
                          row >= b->y0 && row < b->y1 && fgl_explain_scratch(&e->scratch, ctx->framebuffer);
     int vertices = 0;

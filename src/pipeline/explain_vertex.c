@@ -22,7 +22,7 @@ static void take_material(const struct lighting_plan *light, const struct vertex
         }
 }
 
-static void take_results(const struct explain_detail *d, const struct vertex_batch *b, int framebuffer_height,
+static void take_results(const struct explain_detail *d, const struct vertex_batch *b, const struct framebuffer *fb,
                          struct explain_vertex *v)
 {
     const struct vertex_plan *plan = &d->vertex_plan;
@@ -35,7 +35,7 @@ static void take_results(const struct explain_detail *d, const struct vertex_bat
                 plan->lighting && plan->light.separate_specular && c < 3 ? b->secondary[face].c[c][0] : 0.0f;
     }
     v->window[0] = b->win.c[0][0];
-    v->window[1] = (float)framebuffer_height - b->win.c[1][0];
+    v->window[1] = fgl_turned_y(fb, b->win.c[1][0]);
     v->window[2] = b->win.c[2][0];
     if (plan->lighting)
         take_material(&plan->light, b, face, v->material);
@@ -56,7 +56,7 @@ void fgl_explain_vertices(struct context *ctx, const struct vertex_source *sourc
         memset(&v->trace, 0, sizeof v->trace);
         fgl_vertex_trace(plan, b, &v->trace);
         fgl_vertex_round(plan, b);
-        take_results(d, b, ctx->framebuffer->height, v);
+        take_results(d, b, ctx->framebuffer, v);
     }
 }
 

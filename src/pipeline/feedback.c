@@ -51,7 +51,7 @@ static bool is_somewhere(const struct raster_plan *plan, const void *v)
 static void vertex(const struct raster_plan *plan, const void *v, const void *provoking)
 {
     const struct fragment_plan *f = plan->fragment;
-    const float window[4] = {lane(plan, v, LANE_X), (float)plan->framebuffer_height - lane(plan, v, LANE_Y),
+    const float window[4] = {lane(plan, v, LANE_X), fgl_turned_y(f->fb, lane(plan, v, LANE_Y)),
                              lane(plan, v, LANE_Z), 1.0f / lane(plan, v, LANE_OOW)};
     const void *given = plan->flat ? provoking : v;
     const bool constant = f->color_source == COLOR_CONSTANT;

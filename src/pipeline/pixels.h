@@ -7,7 +7,7 @@
 
 struct pixel_draw {
     struct fragment_plan fragment;
-    struct rect bounds; /* window pixels that may be drawn: framebuffer and scissor */
+    struct rect bounds; /* pixels that may be drawn: framebuffer and scissor */
     struct planes planes;
     struct pixel_inputs inputs; /* what differs by pixel; the caller's arrays */
 };
@@ -20,7 +20,7 @@ void fgl_pixels_begin(struct context *ctx, enum pixel_kind kind, struct pixel_dr
 /* Whether colours go to a buffer of bytes as they come, so that they may as well come as bytes: inputs.unorm8. */
 bool fgl_pixels_take_unorm8(const struct pixel_draw *draw);
 
-/* Draws pixels, all inside the bounds; x0 <= x < x1 of row y, y down. */
+/* Draws pixels, all inside the bounds; x0 <= x < x1 of row y. */
 void fgl_pixels_runs(const struct pixel_draw *draw, const struct runs *runs);
 void fgl_pixels_run(const struct pixel_draw *draw, int y, int x0, int x1);
 

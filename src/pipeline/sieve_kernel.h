@@ -74,14 +74,15 @@ static bool sieve_orient(struct sieved *FGL_RESTRICT s, const struct raster_plan
 }
 
 /* The box of pixels that may be covered. */
-static void sieve_boxes(struct sieved *FGL_RESTRICT s, const struct rect bounds)
+static void sieve_boxes(struct sieved *FGL_RESTRICT s, const struct rect bounds, const int32_t first_row_owned)
 {
     int32_t cut = 0;
 
     FOR_SIEVED (i, s) {
         const int32_t min_x = fgl_min(fgl_min(s->x[0][i], s->x[1][i]), s->x[2][i]), max_x = fgl_max(fgl_max(s->x[0][i], s->x[1][i]), s->x[2][i]);
         const int32_t min_y = fgl_min(fgl_min(s->y[0][i], s->y[1][i]), s->y[2][i]), max_y = fgl_max(fgl_max(s->y[0][i], s->y[1][i]), s->y[2][i]);
-        const int32_t left = (min_x + 255) >> 8, right = (max_x + 255) >> 8, top = (min_y >> 8) + 1, bottom = (max_y >> 8) + 1;
+        const int32_t left = (min_x + 255) >> 8, right = (max_x + 255) >> 8, top = ((min_y - first_row_owned) >> 8) + 1,
+                      bottom = ((max_y - first_row_owned) >> 8) + 1;
         const int32_t x0 = fgl_max(bounds.x0, left), x1 = fgl_min(bounds.x1, right);
         const int32_t y0 = fgl_max(bounds.y0, top), y1 = fgl_min(bounds.y1, bottom);
         cut |= (x0 != left) | (x1 != right) | (y0 != top) | (y1 != bottom);
@@ -97,13 +98,15 @@ static void sieve_boxes(struct sieved *FGL_RESTRICT s, const struct rect bounds)
     s->cut = cut;
 }
 
-static void sieve_edge(struct sieve_edge *FGL_RESTRICT edge, const struct sieved *FGL_RESTRICT s, const int from, const int to)
+static void sieve_edge(struct sieve_edge *FGL_RESTRICT edge, const struct sieved *FGL_RESTRICT s, const int from, const int to,
+                       const uint32_t first_row_owned)
 {
     FOR_SIEVED (i, s) {
         const uint32_t reverse = (uint32_t)s->ccw[i] - 1; /* all bits where clockwise */
         const uint32_t x = (uint32_t)s->x[from][i], y = (uint32_t)s->y[from][i];
         const uint32_t a = ((y - (uint32_t)s->y[to][i]) ^ reverse) - reverse, b = ((x - (uint32_t)s->x[to][i]) ^ reverse) - reverse;
-        const uint32_t owns = (a | (a == 0 ? b : 0)) >> 31;
+        const uint32_t level = a == 0 ? (b ^ (0 - first_row_owned)) + first_row_owned : 0; /* b, or -b */
+        const uint32_t owns = (a | level) >> 31;
         edge->e[i] = a * (x - 256 * (uint32_t)s->left[i]) - b * (y - 256 * (uint32_t)s->top[i]) + owns - 1;
         edge->right[i] = 0 - 256 * a;
         edge->down[i] = 256 * b;
@@ -131,13 +134,13 @@ static FGL_NOINLINE void sieve_cut(struct sieved *s, const struct rect *bounds)
 }
 
 /* The pixels of small triangles, within bounds. */
-static void sieve_masks(struct sieved *FGL_RESTRICT s, const struct rect *bounds)
+static void sieve_masks(struct sieved *FGL_RESTRICT s, const struct rect *bounds, uint32_t first_row_owned)
 {
     struct sieve_edge p, q, r;
 
-    sieve_edge(&p, s, 0, 1);
-    sieve_edge(&q, s, 1, 2);
-    sieve_edge(&r, s, 2, 0);
+    sieve_edge(&p, s, 0, 1, first_row_owned);
+    sieve_edge(&q, s, 1, 2, first_row_owned);
+    sieve_edge(&r, s, 2, 0, first_row_owned);
     FOR_SIEVED (i, s)
         s->mask[i] = 0;
     for (int y = 0; y < SMALL_SIDE; y++)
@@ -209,11 +212,11 @@ static struct triangle_section sieve(const struct pipeline *p, const uint32_t (*
         sieve_load(&s, p->cache.snapped, vertex + first);
         if (!sieve_orient(&s, &p->plan.raster))
             continue;
-        sieve_boxes(&s, p->plan.raster.bounds);
+        sieve_boxes(&s, p->plan.raster.bounds, p->plan.raster.first_row_owned);
         if (p->general)
             memset(s.mask, 0, sizeof s.mask);
         else
-            sieve_masks(&s, &p->plan.raster.bounds);
+            sieve_masks(&s, &p->plan.raster.bounds, (uint32_t)p->plan.raster.first_row_owned);
         section.area += sieved_area(&s);
         section.n += sieve_write(&s, p, vertex + first, count, seen + section.n);
     }

@@ -29,7 +29,7 @@ static bool stores_alpha(const struct texture_image *image)
 /* The first pixel of the framebuffer's row in which row y of an image is. */
 static size_t row_of(const struct framebuffer *fb, int y)
 {
-    return (size_t)(fb->height - 1 - y) * (size_t)fb->stride;
+    return (size_t)y * (size_t)fb->stride;
 }
 
 /* ---- colour ---- */
@@ -183,6 +183,7 @@ static bool make_planes(struct framebuffer *fb, int width, int height, const str
     const int stencil_bits = stencil->image ? 8 : 0;
     if (fb->depth_bits != depth_bits || fb->stencil_bits != stencil_bits)
         fgl_framebuffer_free(fb);
+    fb->y_up = true;
     fb->depth_bits = depth_bits;
     fb->depth_max = (uint32_t)((1ull << depth_bits) - 1);
     fb->stencil_bits = stencil_bits;

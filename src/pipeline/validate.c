@@ -159,7 +159,7 @@ void fgl_pipeline_validate(struct context *ctx, uint32_t varying)
     if (!ctx->dirty)
         return;
     if (ctx->dirty & VERTEX_DEPS)
-        fgl_vertex_validate(&p->plan.vertex, ctx, varying, ctx->framebuffer->height);
+        fgl_vertex_validate(&p->plan.vertex, ctx, varying, ctx->framebuffer);
     if (ctx->dirty & FRAGMENT_DEPS)
         update_fragment(ctx, p, varying);
     p->plan.vertex.color_is_spread = p->plan.fragment.primary_interpolated;

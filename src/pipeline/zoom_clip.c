@@ -55,7 +55,6 @@ static void setup_clipper(struct pipeline *p, const struct framebuffer *fb, cons
     raster->triangle = raster->filled = raster->kernels->triangle;
     raster->bounds = *bounds;
     raster->stride = raster->lanes = LANES;
-    raster->framebuffer_height = fb->height;
     raster->fragment = &sampler->fragment;
 }
 
@@ -65,7 +64,7 @@ static unsigned set_corner(const struct zoom *z, const struct framebuffer *fb, i
     const float w = (float)fb->width, h = (float)fb->height;
     const float x = z->x[i] / w * 2.0f - 1.0f, y = z->y[j] / h * 2.0f - 1.0f;
     const float lanes[LANES] = {fgl_fma(x, w * 0.5f, w * 0.5f), fgl_fma(y, -(h * 0.5f), h * 0.5f), 0.5f, 1.0f,
-                                (float)i, (float)(z->top_first ? 1 - j : j), 0.0f, 1.0f};
+                                (float)i, z->t_at[j], 0.0f, 1.0f};
     const float position[4] = {x, y, 0.0f, 1.0f};
     memcpy(record, lanes, sizeof lanes);
     memcpy(clip, position, sizeof position);

@@ -8,7 +8,7 @@
 
 #include "raster/zoom.h"
 
-/* Takes the window pixels x0 <= x < x1 of row y, y down; pixel x shows column[x] and row[x] of the image. */
+/* Takes the window pixels x0 <= x < x1 of row y; pixel x shows column[x] and row[x] of the image. */
 typedef void zoomed_run_fn(void *taker, int y, int x0, int x1, const int *column, const int *row);
 
 /* Hands all pixels of the rectangle within bounds to take(); depth is the raster position's. False when memory is short. */

@@ -1,10 +1,10 @@
 /* Coverage: which pixels a convex polygon covers (GL 1.5, 3.5.1 "Basic Polygon Rasterization"), exactly.
  *
- * Vertices are rounded to 1/256 of a pixel; everything after is integer arithmetic. With y down, a pixel (X,
- * Y) is inside the edge from vertex i to j of a polygon that runs counter-clockwise as GL sees it if E = c -
+ * Vertices are rounded to 1/256 of a pixel; everything after is integer arithmetic. With row 0 above the others, a pixel (X,
+ * Y) is inside the edge from vertex i to j of a polygon that runs counter-clockwise if E = c -
  * 256 a X + 256 b Y > 0,    a = y_i - y_j,  b = x_i - x_j,  c = a x_i - b y_i where c is one greater for the
- * edges that own the pixel centres on them (OSMesa rule: left and lower ones; a < 0, or a = 0 and b < 0). A
- * row of a convex polygon is an interval, which each edge bounds on one side:
+ * edges that own the pixel centres on them (OSMesa rule: left ones, a < 0, and of level ones, a = 0, those that are lower in the window:
+ * b < 0, but b > 0 where the rows of a framebuffer object go up). A row of a convex polygon is an interval, which each edge bounds on one side:
  *     a > 0:  X < ceil(N/D) = floor((N-1)/D) + 1,  N = c + 256 b Y,  D = 256 a
  *     a < 0:  X >= floor(-N/D) + 1,                                  D = -256 a
  * so that a bound is floor(K/D) + 1 on either side. Level edges bound rows, which the bounding box does
@@ -75,11 +75,12 @@ static FGL_ALWAYS_INLINE bool extent_within_limit(struct extent e)
 }
 
 /* The pixels whose centres lie in the extent, within bounds. */
-static FGL_ALWAYS_INLINE struct rect pixels_of(struct extent e, const struct rect *bounds)
+static FGL_ALWAYS_INLINE struct rect pixels_of(struct extent e, const struct raster_plan *plan)
 {
-    return (struct rect){
-            fgl_max(bounds->x0, ((int)e.x0 + 255) >> 8), fgl_max(bounds->y0, ((int)e.y0 >> 8) + 1),
-            fgl_min(bounds->x1, ((int)e.x1 + 255) >> 8), fgl_min(bounds->y1, ((int)e.y1 >> 8) + 1)};
+    const struct rect *bounds = &plan->bounds;
+    const int y0 = (int)e.y0 - plan->first_row_owned, y1 = (int)e.y1 - plan->first_row_owned;
+    return (struct rect){fgl_max(bounds->x0, ((int)e.x0 + 255) >> 8), fgl_max(bounds->y0, (y0 >> 8) + 1),
+                         fgl_min(bounds->x1, ((int)e.x1 + 255) >> 8), fgl_min(bounds->y1, (y1 >> 8) + 1)};
 }
 
 /* For each edge, K of the next row, its step from row to row, and D. Columns count from the one left of the

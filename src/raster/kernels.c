@@ -56,7 +56,7 @@ static FGL_ALWAYS_INLINE void draw_triangle(const struct raster_plan *plan, cons
     const struct extent extent = extent_of(&p, 3);
     if (!extent_within_limit(extent))
         return;
-    const struct rect box = pixels_of(extent, &plan->bounds);
+    const struct rect box = pixels_of(extent, plan);
     if (box.x0 >= box.x1 || box.y0 >= box.y1)
         return;
     const int64_t area = (p.x[0] - p.x[1]) * (p.y[2] - p.y[0]) - (p.x[2] - p.x[0]) * (p.y[0] - p.y[1]);
@@ -101,11 +101,11 @@ static void smooth_triangle(const struct raster_plan *plan, const real *v0, cons
         draw_triangle(plan, v0, v1, v2, provoking, SMOOTH_POINT);
 }
 
-/* A convex polygon of four corners, counter-clockwise as GL sees it. */
+/* A convex polygon of four corners, counter-clockwise where row 0 is above the others. */
 static void quad(const struct raster_plan *plan, const struct polygon *corners, const struct planes *planes)
 {
     const struct extent extent = extent_of(corners, POLYGON_EDGES);
-    const struct rect box = pixels_of(extent, &plan->bounds);
+    const struct rect box = pixels_of(extent, plan);
     if (!extent_within_limit(extent) || box.x0 >= box.x1)
         return;
     struct edges edges;

@@ -1,6 +1,6 @@
 /* Lines (GL 1.5, 3.4 "Line Segments"), in OSMesa's way: an aliased line is a polygon of four edges around the
  * segment, whose ends are moved so that the first and the last pixel obey the diamond-exit rule of 3.4.1.
- * Window y runs down. Kernels. */
+ * Window y runs along the rows: down, but up in framebuffer objects. Kernels. */
 #ifndef FGL_RASTER_LINE_KERNEL_H
 #define FGL_RASTER_LINE_KERNEL_H
 

@@ -33,7 +33,7 @@ static void aliased_point(const struct raster_plan *plan, const real *v, float s
 {
     const int n = (int)(round_even(256.0 * (double)fmaxf(1.0f, size)) + 127) >> 8; /* halves go down */
     const int x = first_pixel(nearest(v[LANE_X] * 256), n),
-              y = first_pixel(nearest(v[LANE_Y] * 256) - 1, n);
+              y = first_pixel(nearest(v[LANE_Y] * 256) - 1 + plan->first_row_owned, n);
     const struct rect b = {fgl_max(plan->bounds.x0, x), fgl_max(plan->bounds.y0, y),
                            fgl_min(plan->bounds.x1, x + n), fgl_min(plan->bounds.y1, y + n)};
     struct planes planes;
@@ -52,11 +52,11 @@ static void aliased_point(const struct raster_plan *plan, const real *v, float s
 }
 
 /* GL_ARB_point_sprite: over a point of `width` pixels s goes from 0 at its left to 1, t from 0 at its top. r is 0, q is 1. */
-static void sprite_coordinates(struct planes *p, const real *v, int lane, real width)
+static void sprite_coordinates(const struct raster_plan *plan, struct planes *p, const real *v, int lane, real width)
 {
-    const real step = 1 / width, oow = v[LANE_OOW];
+    const real oow = v[LANE_OOW];
     for (int c = 0; c < 2; c++) {
-        const real center = v[LANE_X + c] - (real)0.5;
+        const real step = c && plan->fragment->fb->y_up ? -1 / width : 1 / width, center = v[LANE_X + c] - (real)0.5;
         plane_constant(p, lane + c, ((real)0.5 - step * center) * oow);
         (c ? PLANES(p)->dady : PLANES(p)->dadx)[lane + c] = step * oow;
     }
@@ -75,7 +75,7 @@ static void point_sprite(const struct raster_plan *plan, const real *v, float si
     point_planes(plan, &planes, v);
     for (int i = 0; i < plan->fragment->textures; i++)
         if (plan->fragment->texture[i].across_sprite)
-            sprite_coordinates(&planes, v, plan->fragment->texture[i].lane, R_EXACT ? (real)fmaxf(1.0f, size) : (real)width / 256);
+            sprite_coordinates(plan, &planes, v, plan->fragment->texture[i].lane, R_EXACT ? (real)fmaxf(1.0f, size) : (real)width / 256);
     quad(plan, &square, &planes);
 }
 

@@ -1,7 +1,7 @@
 /* Rasterization (GL 1.5, chapter 3): from window-space vertices to runs of covered pixels. Layer 3. Has never
  * heard of a light.
  *
- * A raster vertex is an array of floats, of doubles in FIXEDGL_EXACT (enum LANE_* in fragment/fragment.h): window x, y (y down), z in
+ * A raster vertex is an array of floats, of doubles in FIXEDGL_EXACT (enum LANE_* in fragment/fragment.h): window x, y (along the framebuffer's rows), z in
  * [0,1], 1/w_clip; then attributes, raw: set-up multiplies smooth ones by 1/w. The record is
  * raster_plan.stride lanes long; when two_sided, the back face's colour (4 lanes) and secondary colour (3
  * more, when the fragment plan has one) stand at back_lane. */
@@ -73,9 +73,10 @@ struct raster_plan {
     int back_lane;
     int face_lane; /* lane that is above 0 for back faces, lit as such at each fragment; 0: none */
     bool cull_front, cull_back;
-    bool cull_ccw, cull_cw; /* the same by orientation: the sign of the snapped area, counter-clockwise as GL
-                               sees it */
+    bool cull_ccw, cull_cw; /* the same by orientation: the sign of the snapped area, counter-clockwise where row 0
+                               is above the others (else a framebuffer object shows its mirror image) */
     bool front_is_ccw;
+    int first_row_owned; /* pixel centres on a level edge belong to the polygon whose first row they are: 1, last row: 0 */
     GLenum polygon_mode[2]; /* 0 front, 1 back */
     bool offset_point, offset_line, offset_fill;
     float offset_factor, offset_units; /* units in window z */
@@ -88,7 +89,6 @@ struct raster_plan {
     bool line_smooth, point_smooth, point_sprite, line_stipple;
     int line_stipple_factor;
     uint16_t line_stipple_pattern;
-    int framebuffer_height; /* stipple rows and y-up rules count from the bottom */
     const struct fragment_plan *fragment;
 };
 
@@ -96,7 +96,7 @@ struct raster_plan {
 const struct raster_kernels *fgl_raster_kernels(enum fgl_arith arith);
 const struct raster_kernels *fgl_raster_kernels_of(enum fgl_isa isa, enum fgl_arith arith);
 
-/* The pixels that may be drawn, y down: the framebuffer's, within the scissor rectangle when that test is
+/* The pixels that may be drawn: the framebuffer's, within the scissor rectangle when that test is
  * enabled. */
 struct rect fgl_raster_bounds(const struct scissor_state *scissor, const struct framebuffer *fb);
 

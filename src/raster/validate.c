@@ -3,27 +3,20 @@
 
 #include <math.h>
 
-/* GL 1.5, 4.1.2: the scissor rectangle, y up, turned over and cut to the framebuffer. */
+static int clamp_to(int64_t v, int size)
+{
+    return v < 0 ? 0 : v < size ? (int)v : size;
+}
+
+/* GL 1.5, 4.1.2: the scissor rectangle, cut to the framebuffer. */
 struct rect fgl_raster_bounds(const struct scissor_state *scissor, const struct framebuffer *fb)
 {
     if (!scissor->scissor_test)
         return (struct rect){0, 0, fb->width, fb->height};
     const int64_t x = scissor->scissor_box[0], y = scissor->scissor_box[1];
     const int64_t x1 = x + scissor->scissor_box[2], y1 = y + scissor->scissor_box[3];
-    const int64_t w = fb->width, h = fb->height;
-    const struct rect r = {(int)(x < 0   ? 0
-                                 : x < w ? x
-                                         : w),
-                           (int)(y1 > h   ? 0
-                                 : y1 > 0 ? h - y1
-                                          : h),
-                           (int)(x1 < 0   ? 0
-                                 : x1 < w ? x1
-                                          : w),
-                           (int)(y > h   ? 0
-                                 : y > 0 ? h - y
-                                         : h)};
-    return r;
+    const struct rect window = {clamp_to(x, fb->width), clamp_to(y, fb->height), clamp_to(x1, fb->width), clamp_to(y1, fb->height)};
+    return fgl_turned(fb, window);
 }
 
 /* OSMesa rule: these states send all triangles the longer road (polygon_kernel.h). */
@@ -48,10 +41,10 @@ void fgl_raster_validate(struct raster_plan *plan, const struct server_state *s,
     plan->line = plan->kernels->line;
     plan->point = plan->kernels->point;
     plan->bounds = fgl_raster_bounds(&s->scissor, fragment->fb);
-    plan->framebuffer_height = fragment->fb->height;
     plan->fragment = fragment;
 
-    plan->front_is_ccw = polygon->front_face == GL_CCW;
+    plan->front_is_ccw = (polygon->front_face == GL_CCW) != fragment->fb->y_up;
+    plan->first_row_owned = fragment->fb->y_up; /* GL's lower edge, in either case */
     plan->cull_front = polygon->cull_face && polygon->cull_face_mode != GL_BACK;
     plan->cull_back = polygon->cull_face && polygon->cull_face_mode != GL_FRONT;
     plan->cull_ccw = plan->front_is_ccw ? plan->cull_front : plan->cull_back;

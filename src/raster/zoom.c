@@ -33,9 +33,12 @@ static struct rect coverage(const double x[2], const double y[2], int fb_width, 
 }
 
 void fgl_zoom_setup(struct zoom *z, int x, int y, int width, int height, float zoom_x, float zoom_y,
-                    int fb_width, int fb_height, bool top_first)
+                    const struct framebuffer *fb, bool top_first)
 {
-    const float w = (float)fb_width, h = (float)fb_height;
+    const float w = (float)fb->width, h = (float)fb->height;
+    const bool turned = top_first != fb->y_up;
+    if (fb->y_up)
+        y = fb->height - (int)((float)y + (float)height * zoom_y);
     const float x0 = through_clip((float)x, w, w * 0.5f);
     const float x1 = through_clip((float)x + (float)width * zoom_x, w, w * 0.5f);
     const float y0 = through_clip((float)y, h, -(h * 0.5f));
@@ -49,7 +52,9 @@ void fgl_zoom_setup(struct zoom *z, int x, int y, int width, int height, float z
     z->width = width;
     z->height = height;
     z->top_first = top_first;
-    z->covered = coverage(sx, sy, fb_width, fb_height);
+    z->t_at[0] = turned ? 1.0f : 0.0f;
+    z->t_at[1] = turned ? 0.0f : 1.0f;
+    z->covered = coverage(sx, sy, fb->width, fb->height);
     z->a = sy[1] - sy[0];
     z->b = sx[0] - sx[1];
     z->c = z->a * sx[0] - z->b * sy[1] + (z->a < 0.0 || (z->a == 0.0 && z->b < 0.0) ? 1.0 : 0.0);
@@ -58,12 +63,11 @@ void fgl_zoom_setup(struct zoom *z, int x, int y, int width, int height, float z
      * the first. */
     const float ooa = 1.0f / ((x1 - x0) * (y0 - y1));
     z->sx = (y0 - y1) * ooa;
-    z->ty = top_first ? (x1 - x0) * ooa : -((x1 - x0) * ooa);
+    z->ty = turned ? (x1 - x0) * ooa : -((x1 - x0) * ooa);
     const bool exchanged = (zoom_x > 0.0f) == (zoom_y > 0.0f);
     z->s0 = exchanged ? 1.0f - z->sx * (x1 - 0.5f) : 0.0f - z->sx * (x0 - 0.5f);
-    const float at_y0 = top_first ? 1.0f : 0.0f, at_y1 = 1.0f - at_y0;
-    z->t0[0] = at_y1 - z->ty * (y1 - 0.5f);
-    z->t0[1] = exchanged ? at_y0 - z->ty * (y0 - 0.5f) : z->t0[0];
+    z->t0[0] = z->t_at[1] - z->ty * (y1 - 0.5f);
+    z->t0[1] = exchanged ? z->t_at[0] - z->ty * (y0 - 0.5f) : z->t0[0];
 }
 
 static int texel(float coordinate, int size)

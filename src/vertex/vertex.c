@@ -1,6 +1,7 @@
 /* Validation of the vertex plan, and the run of a batch through the kernels of this CPU. */
 #include "vertex/vertex.h"
 
+#include "framebuffer/framebuffer.h"
 #include "state/matrix_exact.h"
 
 #include <string.h>
@@ -25,10 +26,10 @@ static void derive_user_planes(struct vertex_plan *plan, const struct transform_
     }
 }
 
-/* GL 1.5, 2.11.1 "Controlling the Viewport"; y down from the framebuffer's top. OSMesa rule: depth range in
+/* GL 1.5, 2.11.1 "Controlling the Viewport"; y along the framebuffer's rows. OSMesa rule: depth range in
  * double from floats. */
 static void derive_viewport(struct vertex_plan *plan, const struct viewport_state *state,
-                            int framebuffer_height)
+                            const struct framebuffer *fb)
 {
     const float x = (float)state->viewport[0], y = (float)state->viewport[1];
     const float half_width = (float)state->viewport[2] * 0.5f, half_height = (float)state->viewport[3] * 0.5f;
@@ -36,8 +37,8 @@ static void derive_viewport(struct vertex_plan *plan, const struct viewport_stat
 
     plan->viewport_scale[0] = half_width;
     plan->viewport_trans[0] = half_width + x;
-    plan->viewport_scale[1] = -half_height;
-    plan->viewport_trans[1] = (float)framebuffer_height - (half_height + y);
+    plan->viewport_scale[1] = fb->y_up ? half_height : -half_height;
+    plan->viewport_trans[1] = fgl_turned_y(fb, half_height + y);
     plan->viewport_scale[2] = (float)(0.5 * (far - near));
     plan->viewport_trans[2] = (float)(0.5 * (near + far));
     for (int c = 0; c < 2; c++) { /* these are exact in float */
@@ -66,7 +67,7 @@ static void validate_lighting(struct vertex_plan *plan, struct context *ctx)
 }
 
 void fgl_vertex_validate(struct vertex_plan *plan, struct context *ctx, uint32_t varying,
-                         int framebuffer_height)
+                         const struct framebuffer *fb)
 {
     const unsigned dirty = ctx->dirty | (plan->varying != varying ? DIRTY_VARYING : 0);
     struct matrix *modelview = &ctx->modelview.entry[ctx->modelview.top];
@@ -88,7 +89,7 @@ void fgl_vertex_validate(struct vertex_plan *plan, struct context *ctx, uint32_t
     if (dirty & (DIRTY_PROJECTION | DIRTY_CLIP_PLANE))
         derive_user_planes(plan, &ctx->s.transform, fgl_matrix_inverse(projection));
     if (dirty & (DIRTY_VIEWPORT | DIRTY_FRAMEBUFFER))
-        derive_viewport(plan, &ctx->s.viewport, framebuffer_height);
+        derive_viewport(plan, &ctx->s.viewport, fb);
     if (dirty & DIRTY_CURRENT)
         memcpy(plan->constant, ctx->s.current.attr, sizeof plan->constant);
     if (dirty & DIRTY_POINT)

@@ -108,7 +108,7 @@ struct vertex_plan {
     enum fgl_arith arith;
     struct exact_plan exact;
     float mvp[16], modelview[16];
-    float viewport_scale[3], viewport_trans[3];    /* window = fma(clip / w, scale, trans); y down */
+    float viewport_scale[3], viewport_trans[3];    /* window = fma(clip / w, scale, trans); y along the framebuffer's rows */
     unsigned user_planes;                          /* bit i: enabled */
     float user_plane[FGL_MAX_CLIP_PLANES][4];      /* in clip space */
 
@@ -142,9 +142,9 @@ struct vertex_plan {
 
 /* Brings the plan up to date with the state, for batches whose attributes in `varying` differ by vertex. Only
  * what ctx->dirty (and a changed `varying`) touches is derived anew: a plan must stay with its context and be
- * validated before those bits are cleared. framebuffer_height turns y down. */
+ * validated before those bits are cleared. Window y goes along the rows of fb. */
 void fgl_vertex_validate(struct vertex_plan *plan, struct context *ctx, uint32_t varying,
-                         int framebuffer_height);
+                         const struct framebuffer *fb);
 
 /* light.c: the part of validation that concerns lighting. */
 void fgl_light_validate(struct vertex_plan *plan, struct context *ctx);

@@ -24,7 +24,7 @@ static int tear_down(void **state)
 static unsigned key_of_light0(void)
 {
     ctx->dirty = DIRTY_ALL;
-    fgl_vertex_validate(plan, ctx, 1u << ATTR_POSITION | 1u << ATTR_NORMAL, 10);
+    fgl_vertex_validate(plan, ctx, 1u << ATTR_POSITION | 1u << ATTR_NORMAL, &(const struct framebuffer){.height = 10});
     assert_int_equal(plan->light.n, 1);
     return plan->light.light[0].key;
 }
@@ -95,7 +95,7 @@ static void colors_follow_glColorMaterial(void **state)
     ctx->s.lighting.color_material_parameter = GL_AMBIENT_AND_DIFFUSE;
     assert_int_equal(key_of_light0(), 0); /* the colour is constant here */
     ctx->dirty = 0;                       /* a change of what varies is enough */
-    fgl_vertex_validate(plan, ctx, 1u << ATTR_POSITION | 1u << ATTR_COLOR, 10);
+    fgl_vertex_validate(plan, ctx, 1u << ATTR_POSITION | 1u << ATTR_COLOR, &(const struct framebuffer){.height = 10});
     assert_int_equal(plan->light.light[0].key, LIGHT_VARYING);
     assert_int_equal(plan->light.source[MAT_DIFFUSE][0], ATTR_COLOR);
     assert_int_equal(plan->light.source[MAT_DIFFUSE][1], -1);
@@ -121,9 +121,9 @@ static void unlit_draws_have_no_lighting(void **state)
 {
     (void)state;
     ctx->s.lighting.lighting = false;
-    fgl_vertex_validate(plan, ctx, 1u << ATTR_POSITION, 10);
+    fgl_vertex_validate(plan, ctx, 1u << ATTR_POSITION, &(const struct framebuffer){.height = 10});
     assert_false(plan->lighting || plan->color_is_varying || plan->need_fog_z || plan->need_point_size);
-    fgl_vertex_validate(plan, ctx, 1u << ATTR_POSITION | 1u << ATTR_COLOR, 10);
+    fgl_vertex_validate(plan, ctx, 1u << ATTR_POSITION | 1u << ATTR_COLOR, &(const struct framebuffer){.height = 10});
     assert_true(plan->color_is_varying);
 }
 

@@ -47,7 +47,7 @@ static struct vertex_batch *run(void)
     batch.n = 1;
     for (int c = 0; c < 4; c++)
         batch.in[ATTR_POSITION].c[c][0] = position[c];
-    fgl_vertex_validate(plan, ctx, 1u << ATTR_POSITION, 10);
+    fgl_vertex_validate(plan, ctx, 1u << ATTR_POSITION, &(const struct framebuffer){.height = 10});
     fgl_vertex_run(plan, &batch, false);
     free(plan);
     return &batch;

@@ -84,7 +84,7 @@ static struct work work_of_a_vertex(void)
         batch->in[ATTR_POSITION].c[3][i] = batch->in[ATTR_NORMAL].c[2][i] = 1;
     memset(plan, 0, sizeof *plan);
     ctx->dirty = DIRTY_ALL;
-    fgl_vertex_validate(plan, ctx, batch->varying, 10);
+    fgl_vertex_validate(plan, ctx, batch->varying, &(const struct framebuffer){.height = 10});
     memset(operations, 0, sizeof operations);
     fgl_vertex_kernels_counted_compatible.run(plan, batch, 0, VERTEX_GROUP, false);
     for (int k = 0; k < OPERATIONS; k++) {

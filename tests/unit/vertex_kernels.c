@@ -225,7 +225,7 @@ static void run_one_set(int n)
     random_seed(set);
     random_state_of(ctx);
     random_batch(batch, random_varying(), n);
-    fgl_vertex_validate(plan, ctx, batch->varying, 75);
+    fgl_vertex_validate(plan, ctx, batch->varying, &(const struct framebuffer){.height = 75});
     for (int isa = 0; isa < FGL_ISA_COUNT; isa++)
         for (int general = 0; general < 2 && fgl_vertex_kernels_of((enum fgl_isa)isa, ARITH_COMPATIBLE); general++) {
             const struct vertex_kernels *kernels = fgl_vertex_kernels_of((enum fgl_isa)isa, ARITH_COMPATIBLE);
@@ -264,7 +264,7 @@ static void exact_sets_agree(int n)
     random_state_of(ctx);
     random_batch(batch, random_varying(), n);
     ctx->accuracy = FIXEDGL_EXACT;
-    fgl_vertex_validate(plan, ctx, batch->varying, 75);
+    fgl_vertex_validate(plan, ctx, batch->varying, &(const struct framebuffer){.height = 75});
     memset(&first, 0, sizeof first);
     for (int isa = 0; isa < FGL_ISA_COUNT; isa++)
         for (int general = 0; general < 2 && fgl_vertex_kernels_of((enum fgl_isa)isa, ARITH_EXACT); general++) {
@@ -308,7 +308,7 @@ static void a_batch_has_its_outcodes_summed_up(void **state)
     (void)state;
 
     ctx->s.lighting.lighting = false;
-    fgl_vertex_validate(plan, ctx, 1u << ATTR_POSITION, 10);
+    fgl_vertex_validate(plan, ctx, 1u << ATTR_POSITION, &(const struct framebuffer){.height = 10});
     fgl_vertex_run(plan, b, false);
     assert_int_equal(b->outcode_any, 0);
     assert_int_equal(b->outcode_all, 0);

@@ -4,6 +4,7 @@
 
 #include "unit.h"
 
+#include "framebuffer/framebuffer.h"
 #include "vertex/vertex.h"
 
 #include <math.h>
