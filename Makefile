@@ -134,9 +134,10 @@ FUZZ_FLAGS = --seed 1 --count 2000
 FUZZ = $(if $(wildcard tests/fuzz/fuzz_diff.c),$(BUILD)/tests/fuzz/fuzz_diff)
 GLUT_TESTS = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/glut/*.c))
 CLI_TESTS = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/cli/*.c))
+MISUSE = $(BUILD)/tests/misuse/misuse
 TEST_OPT = -O2
 $(BUILD)/tests/unit/light_work: TEST_OPT = -O0 # has all vertex kernels in it, and counts what they do
-TEST_PROGRAMS = $(UNIT_TESTS) $(API_TESTS) $(ORACLE_TESTS) $(SCENE_TESTS) $(GLUT_TESTS) $(CLI_TESTS)
+TEST_PROGRAMS = $(UNIT_TESTS) $(API_TESTS) $(ORACLE_TESTS) $(SCENE_TESTS) $(GLUT_TESTS) $(CLI_TESTS) $(MISUSE)
 TEST_CFLAGS = -std=c11 $(DEBUG) $(TEST_OPT) $(NUMERIC) $(WARN) $(SANITIZE) $(POSIX) -D_DEFAULT_SOURCE -DGL_GLEXT_PROTOTYPES -MMD -MP \
               -Iinclude -Isrc -Itests
 
@@ -155,6 +156,11 @@ $(SCENE_TESTS): $(wildcard tests/scenes/*.c tests/scenes/*.h) $(LIB)/libfixedgl.
 $(FUZZ): $(wildcard tests/fuzz/*.c tests/fuzz/*.h tests/fuzz/*.def)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(TEST_CFLAGS) $(wildcard tests/fuzz/*.c) -ldl -lm -o $@
+$(MISUSE): $(wildcard tests/misuse/*) include/GL/gl.h include/GL/glext.h $(LIB)/libfixedgl.so
+	@mkdir -p $(@D)
+	$(Q)$(CC) -E -P -DGL_GLEXT_PROTOTYPES -Iinclude -include GL/gl.h include/GL/glext.h | awk -f tests/misuse/calls.awk > $(@D)/calls.inc
+	$(Q)$(CC) -E -dM -Iinclude -include GL/gl.h include/GL/glext.h | awk -f tests/misuse/enumerants.awk > $(@D)/enumerants.inc
+	$(Q)$(CC) $(TEST_CFLAGS) -I$(@D) tests/misuse/misuse.c -L$(LIB) -lfixedgl -Wl,-rpath,'$$ORIGIN/../../lib' -lm -o $@
 $(GLUT_TESTS): $(BUILD)/tests/%: tests/%.c $(LIB)/libfixedglut.a $(LIB)/libfixedgl.so
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(TEST_CFLAGS) $< $(LIB)/libfixedglut.a -L$(LIB) -lfixedgl -Wl,-rpath,'$$ORIGIN/../../lib' -lcmocka -lpng -ldl -lm -o $@

@@ -31,12 +31,16 @@ static GLenum copied_type(const struct framebuffer *fb, GLenum type)
                                              : GL_UNSIGNED_BYTE;
 }
 
+/* Of one rectangle: sizes that are mistakes do not fill the machine's memory first. */
+enum { MAX_BYTES = 1 << 30 };
+
 /* The rectangle into new memory; what lies outside of the framebuffer is 0. NULL when memory is short. */
 static void *read_rectangle(const struct context *ctx, int x, int y, int width, int height, GLenum format,
                             GLenum type)
 {
     const struct framebuffer *fb = ctx->read_framebuffer;
-    void *pixels = calloc(1, fgl_pixel_image_bytes(&fgl_packed_store, format, type, width, height));
+    const size_t bytes = fgl_pixel_image_bytes(&fgl_packed_store, format, type, width, height);
+    void *pixels = bytes <= MAX_BYTES ? calloc(1, bytes) : NULL;
     const struct pixel_pack pack = {
             .image = fgl_pixel_image(&fgl_packed_store, format, type, width, pixels),
             .mode = &fgl_no_transfer,

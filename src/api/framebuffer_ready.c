@@ -43,12 +43,18 @@ GLenum fgl_framebuffer_status(const struct framebuffer_object *f)
     return same_samples ? GL_FRAMEBUFFER_COMPLETE : GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE;
 }
 
+/* Images hold colours: contexts in colour index mode have their window alone. */
+static GLenum status(const struct context *ctx, const struct framebuffer_object *f)
+{
+    return ctx->color_index ? GL_FRAMEBUFFER_UNSUPPORTED : fgl_framebuffer_status(f);
+}
+
 GLenum fgl_exec_CheckFramebufferStatus(struct context *ctx, GLenum target)
 {
     bool bad;
     const struct framebuffer_object *f = fgl_framebuffer_bound(ctx, target, &bad);
     RETURN_VALUE_ERROR_IF(ctx, bad, GL_INVALID_ENUM, 0);
-    return f ? fgl_framebuffer_status(f) : GL_FRAMEBUFFER_COMPLETE;
+    return f ? status(ctx, f) : GL_FRAMEBUFFER_COMPLETE;
 }
 
 /* ---- planes ---- */
@@ -89,7 +95,7 @@ static struct framebuffer *load(struct context *ctx, const struct framebuffer_ob
     struct framebuffer *planes = reading ? &ctx->framebuffers->read_planes : &ctx->framebuffers->drawn_planes;
     if (f == &ctx->framebuffers->window)
         return ctx->window;
-    if (fgl_framebuffer_status(f) != GL_FRAMEBUFFER_COMPLETE)
+    if (status(ctx, f) != GL_FRAMEBUFFER_COMPLETE)
         return NULL;
     const struct surfaces s = surfaces_of(f, buffer);
     int width, height;

@@ -236,12 +236,7 @@ void fgl_exec_DeleteLists(struct context *ctx, GLuint list, GLsizei range)
 {
     fgl_flush_vertices(ctx, 0);
     RETURN_ERROR_IF(ctx, range < 0, GL_INVALID_VALUE);
-    const GLuint last = ctx->lists->map.highest; /* an enormous range ends where names end */
-    for (GLuint i = 0; i < (GLuint)range && list + i >= list && list + i <= last; i++) {
-        struct list *l = fgl_idmap_remove(&ctx->lists->map, list + i);
-        if (l)
-            list_destroy(l);
-    }
+    fgl_idmap_remove_range(&ctx->lists->map, list, (uint32_t)range, list_destroy);
 }
 
 void fgl_exec_ListBase(struct context *ctx, GLuint base)

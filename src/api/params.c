@@ -172,7 +172,9 @@ int fgl_count_texture_env(GLenum pname)
 
 bool fgl_param_allows(const struct param *p, const float *v)
 {
-    return !(v[0] < p->min) && !(v[0] > p->max); /* OSMesa rule: NaN is let through */
+    if (p->kind == PARAM_INT)
+        return v[0] >= p->min && v[0] <= p->max;
+    return !(v[0] < p->min) && !(v[0] > p->max); /* OSMesa rule: NaN is let through, where it is no integer */
 }
 
 void fgl_param_set(struct context *ctx, unsigned dirty, const struct param *p, void *object, const float *v)

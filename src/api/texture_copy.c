@@ -16,6 +16,14 @@ struct source_rect {
     int x, y, width, height;
 };
 
+enum { FAR = 1 << 24 };
+
+/* Where no framebuffer reaches one place is as good as another: at this one nothing overflows. */
+static int nearest_place(int coordinate)
+{
+    return fgl_max(-FAR, fgl_min(coordinate, FAR));
+}
+
 static GLenum source_error(const struct context *ctx, GLenum internal_format)
 {
     const struct framebuffer *fb = ctx->read_framebuffer;
@@ -103,9 +111,8 @@ static void copy_bytes(struct context *ctx, struct texture_image *image, int x, 
 static void copy(struct context *ctx, struct texture_image *image, struct source_rect from, int to_x, int to_y, int to_z)
 {
     const struct framebuffer *fb = ctx->read_framebuffer;
-    const int64_t right = (int64_t)from.x + from.width, top = (int64_t)from.y + from.height;
-    const int x0 = fgl_max(from.x, 0), x1 = right < fb->width ? (int)right : fb->width;
-    const int y0 = fgl_max(from.y, 0), y1 = top < fb->height ? (int)top : fb->height;
+    const int x0 = fgl_max(from.x, 0), x1 = fgl_min(from.x + from.width, fb->width);
+    const int y0 = fgl_max(from.y, 0), y1 = fgl_min(from.y + from.height, fb->height);
     void (*const run)(struct context *, struct texture_image *, int, int, int, int, int, int) =
             image->kind == TEXELS_DEPTH ? copy_depths : copies_bytes(ctx, image) ? copy_bytes : copy_colors;
     for (int y = y0; y < y1; y++)
@@ -163,6 +170,8 @@ static void copy_image(struct context *ctx, struct texture_call *call, int x, in
     struct image_target t;
     bool too_large;
     const GLenum format = (GLenum)call->internal_format;
+    x = nearest_place(x);
+    y = nearest_place(y);
     const struct source_rect from = {x, y, call->width, call->height};
     reduce(ctx, call, format);
     RETURN_ERROR_IF(ctx, !fgl_image_target(call->target, call->dimensions, &t) || t.proxy, GL_INVALID_ENUM);
@@ -188,7 +197,7 @@ static void copy_image(struct context *ctx, struct texture_call *call, int x, in
 static void copy_sub_image(struct context *ctx, struct texture_call *call, int x, int y)
 {
     struct image_target t;
-    const struct source_rect from = {x, y, call->width, call->height};
+    const struct source_rect from = {nearest_place(x), nearest_place(y), call->width, call->height};
     RETURN_ERROR_IF(ctx, !fgl_image_target(call->target, call->dimensions, &t) || t.proxy, GL_INVALID_ENUM);
     RETURN_ERROR_IF(ctx, call->level < 0 || call->level >= fgl_texture_levels(t.target), GL_INVALID_VALUE);
     struct texture_image *image = fgl_target_image(ctx, &t, call->level);

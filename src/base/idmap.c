@@ -18,9 +18,19 @@ void *fgl_idmap_get(const struct idmap *map, uint32_t name)
     return map->capacity && name ? find(map, name)->value : NULL;
 }
 
+static uint32_t live(const struct idmap *map)
+{
+    uint32_t n = 0;
+    for (uint32_t i = 0; i < map->capacity; i++)
+        n += map->slot[i].value != NULL;
+    return n;
+}
+
+/* Forgets removed names, and makes room unless there was enough without them. */
 static bool grow(struct idmap *map)
 {
-    struct idmap bigger = {.capacity = map->capacity ? map->capacity * 2 : 16, .highest = map->highest};
+    const uint32_t doubled = map->capacity ? map->capacity * 2 : 16;
+    struct idmap bigger = {.capacity = live(map) * 2 < map->capacity ? map->capacity : doubled, .highest = map->highest};
     bigger.slot = calloc(bigger.capacity, sizeof *bigger.slot);
     if (!bigger.slot)
         return false;
@@ -56,6 +66,25 @@ void *fgl_idmap_remove(struct idmap *map, uint32_t name)
     void *value = slot->value;
     slot->value = NULL;
     return value;
+}
+
+void fgl_idmap_remove_range(struct idmap *map, uint32_t first, uint32_t n, void (*destroy)(void *value))
+{
+    if (n > map->capacity) {
+        for (uint32_t i = 0; i < map->capacity; i++) {
+            struct idmap_slot *slot = &map->slot[i];
+            if (!slot->value || slot->name < first || slot->name - first >= n)
+                continue;
+            destroy(slot->value);
+            slot->value = NULL;
+        }
+        return;
+    }
+    for (uint32_t i = 0; i < n && first + i >= first; i++) {
+        void *value = fgl_idmap_remove(map, first + i);
+        if (value)
+            destroy(value);
+    }
 }
 
 uint32_t fgl_idmap_find_free(const struct idmap *map, uint32_t n)

@@ -20,6 +20,8 @@ void *fgl_idmap_get(const struct idmap *map, uint32_t name);
 /* Returns false when memory is short; the map is then unchanged. value is not NULL. */
 bool fgl_idmap_put(struct idmap *map, uint32_t name, void *value);
 void *fgl_idmap_remove(struct idmap *map, uint32_t name);
+/* Removes and destroys what has the names first, first + 1, ... first + n - 1, in no longer than it takes to look at all. */
+void fgl_idmap_remove_range(struct idmap *map, uint32_t first, uint32_t n, void (*destroy)(void *value));
 /* The first of `n` consecutive names that are all free, or 0. */
 uint32_t fgl_idmap_find_free(const struct idmap *map, uint32_t n);
 void fgl_idmap_free(struct idmap *map, void (*destroy)(void *value));

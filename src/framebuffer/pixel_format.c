@@ -127,6 +127,8 @@ size_t fgl_pixel_image_bytes(const struct pixel_store *store, GLenum format, GLe
     if (width <= 0 || height <= 0)
         return 0;
     const struct pixel_image image = fgl_pixel_image(store, format, type, width, NULL);
+    if ((double)height * (double)image.row_bytes > (double)(SIZE_MAX / 4))
+        return SIZE_MAX / 2; /* more than there can be */
     return image.first + (size_t)(height - 1) * image.row_bytes +
            unaligned_bytes(&image, (size_t)width + (size_t)image.first_bit);
 }

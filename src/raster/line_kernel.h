@@ -139,7 +139,7 @@ static void aliased_line(const struct raster_plan *plan, const real *v0, const r
     const struct shifts shift =
             x_major ? shifts_x_major(&s, &e, dx, dy, slope) : shifts_y_major(&s, &e, dx, dy, slope);
 
-    const int64_t half_width = 128 * (int)(fmaxf(1.0f, plan->line_width) + 0.5f);
+    const int64_t half_width = 128 * (int)(plan->line_width + 0.5f);
     const int64_t start_major = snap_line(s.major + shift.start),
                   start_minor = snap_line(s.minor + shift.start * slope);
     const int64_t end_major = snap_line(e.major + shift.end),
@@ -169,7 +169,7 @@ static void smooth_line(const struct raster_plan *plan, const real *v0, const re
     const real dx = v1[LANE_X] - v0[LANE_X], dy = v1[LANE_Y] - v0[LANE_Y], length = r_sqrt(dx * dx + dy * dy);
     if (!within_limit(v0) || !within_limit(v1))
         return;
-    const real half_width = plan->line_width <= 1 ? 1 : (real)(plan->line_width * 0.5f + 0.5f);
+    const real half_width = (real)(plan->line_width * 0.5f + 0.5f);
     const real half_length = length < 1 ? length : length * (real)0.5 + (real)0.5;
     const float angle = atan2f((float)dy, (float)dx);
     const real c = (real)cosf(angle), s = (real)sinf(angle);

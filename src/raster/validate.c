@@ -64,7 +64,7 @@ void fgl_raster_validate(struct raster_plan *plan, const struct server_state *s,
     plan->polygon_stipple = polygon->polygon_stipple;
     plan->stipple = &s->polygon_stipple;
 
-    plan->line_width = s->line.line_width;
+    plan->line_width = fminf(fmaxf(s->line.line_width, 1), FGL_MAX_LINE_WIDTH); /* GL 1.5, 3.4 */
     plan->line_smooth = s->line.line_smooth;
     plan->line_stipple = s->line.line_stipple &&
                          s->line.line_stipple_pattern != 0xffff; /* OSMesa rule: else as if disabled */

@@ -387,6 +387,23 @@ static void textures(void **state)
     assert_in_range(pixel(20, 20), 40, 42);
 }
 
+/* Framebuffer objects have colours. */
+static void framebuffer_objects(void **state)
+{
+    GLuint framebuffer, renderbuffer;
+    (void)state;
+    glGenFramebuffersEXT(1, &framebuffer);
+    glGenRenderbuffersEXT(1, &renderbuffer);
+    glBindFramebufferEXT(GL_FRAMEBUFFER_EXT, framebuffer);
+    glBindRenderbufferEXT(GL_RENDERBUFFER_EXT, renderbuffer);
+    glRenderbufferStorageEXT(GL_RENDERBUFFER_EXT, GL_RGBA8, 16, 16);
+    glFramebufferRenderbufferEXT(GL_FRAMEBUFFER_EXT, GL_COLOR_ATTACHMENT0_EXT, GL_RENDERBUFFER_EXT, renderbuffer);
+    assert_int_equal(glCheckFramebufferStatusEXT(GL_FRAMEBUFFER_EXT), GL_FRAMEBUFFER_UNSUPPORTED_EXT);
+    EXPECT_ERROR(GL_INVALID_FRAMEBUFFER_OPERATION_EXT, glClear(GL_COLOR_BUFFER_BIT));
+    glBindFramebufferEXT(GL_FRAMEBUFFER_EXT, 0);
+    EXPECT_NO_ERROR(glClear(GL_COLOR_BUFFER_BIT));
+}
+
 static void polygon_modes(void **state)
 {
     (void)state;
@@ -423,6 +440,7 @@ int main(void)
             INDEX_TEST(evaluators),
             INDEX_TEST(lists_and_attributes),
             INDEX_TEST(textures),
+            INDEX_TEST(framebuffer_objects),
             INDEX_TEST(polygon_modes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

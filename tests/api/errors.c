@@ -230,6 +230,7 @@ static void not_a_number(void **state)
     EXPECT_NO_ERROR(glLightf(GL_LIGHT0, GL_SPOT_EXPONENT, NAN));
     EXPECT_NO_ERROR(glFogf(GL_FOG_DENSITY, NAN));
     EXPECT_ERROR(GL_INVALID_ENUM, glFogf(GL_FOG_MODE, NAN));
+    EXPECT_ERROR(GL_INVALID_VALUE, glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, NAN));
     EXPECT_NO_ERROR(glClearColor(NAN, NAN, NAN, NAN));
     EXPECT_VALUES(GL_COLOR_CLEAR_VALUE, 0, 0, 0, 0);
     EXPECT_NO_ERROR(glDepthRange((double)NAN, (double)NAN));
