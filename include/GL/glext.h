@@ -1876,6 +1876,30 @@ typedef void (APIENTRYP PFNGLBLITFRAMEBUFFERPROC)(GLint srcX0, GLint srcY0, GLin
         GLint dstX0, GLint dstY0, GLint dstX1, GLint dstY1, GLbitfield mask, GLenum filter);
 #endif
 
+/* Objects that keep the arrays of a model: pointers, sizes, types, which are enabled, and the buffer of element indexes. Only what
+ * lies in buffer objects can be kept: placing an array in client memory while an object is bound is GL_INVALID_OPERATION. */
+#ifndef GL_ARB_vertex_array_object
+#define GL_ARB_vertex_array_object 1
+
+/* The bound object, 0 for none. glGetIntegerv. */
+#define GL_VERTEX_ARRAY_BINDING                    0x85B5
+
+#ifdef GL_GLEXT_PROTOTYPES
+/* 0 for the context's own arrays. GL_INVALID_OPERATION: a name that glGenVertexArrays has not given, or deleted. */
+GLAPI void GLAPIENTRY glBindVertexArray(GLuint array);
+/* Where a bound object is deleted, 0 is bound. GL_INVALID_VALUE: n is negative. */
+GLAPI void GLAPIENTRY glDeleteVertexArrays(GLsizei n, const GLuint *arrays);
+/* GL_INVALID_VALUE: n is negative. */
+GLAPI void GLAPIENTRY glGenVertexArrays(GLsizei n, GLuint *arrays);
+/* GL_TRUE for a name that has been bound. */
+GLAPI GLboolean GLAPIENTRY glIsVertexArray(GLuint array);
+#endif
+typedef void (APIENTRYP PFNGLBINDVERTEXARRAYPROC)(GLuint array);
+typedef void (APIENTRYP PFNGLDELETEVERTEXARRAYSPROC)(GLsizei n, const GLuint *arrays);
+typedef void (APIENTRYP PFNGLGENVERTEXARRAYSPROC)(GLsizei n, GLuint *arrays);
+typedef GLboolean (APIENTRYP PFNGLISVERTEXARRAYPROC)(GLuint array);
+#endif
+
 /* glBlitFramebuffer before it came to OpenGL 3.0. */
 #ifndef GL_EXT_framebuffer_blit
 #define GL_EXT_framebuffer_blit 1

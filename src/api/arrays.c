@@ -1,5 +1,6 @@
 /* Where vertex arrays lie (GL 1.5, 2.8 "Vertex Arrays"). Client state: never compiled into lists, and never
  * read here. */
+#include "api/array_object.h"
 #include "api/buffer.h"
 #include "api/command.h"
 #include "api/errors.h"
@@ -38,6 +39,7 @@ static void place(struct context *ctx, int attr, unsigned types, GLint size, GLe
 
     RETURN_ERROR_IF(ctx, stride < 0, GL_INVALID_VALUE);
     RETURN_ERROR_IF(ctx, !(types & type_bit(type)), GL_INVALID_ENUM);
+    RETURN_ERROR_IF(ctx, fgl_array_object_refuses(ctx, pointer), GL_INVALID_OPERATION);
     a->size = size;
     a->type = type;
     a->stride = stride;
@@ -240,6 +242,7 @@ void fgl_exec_InterleavedArrays(struct context *ctx, GLenum format, GLsizei stri
     }
     RETURN_ERROR_IF(ctx, !f, GL_INVALID_ENUM);
     RETURN_ERROR_IF(ctx, stride < 0, GL_INVALID_VALUE);
+    RETURN_ERROR_IF(ctx, fgl_array_object_refuses(ctx, pointer), GL_INVALID_OPERATION);
 
     const uintptr_t p = (uintptr_t)pointer;
     const GLenum color_type = f->color_ubyte ? GL_UNSIGNED_BYTE : GL_FLOAT;

@@ -2,6 +2,7 @@
  * restored whole. GL_ENABLE_BIT alone cuts across the groups: it is every capability of state_table.def. */
 #include "api/attrib.h"
 
+#include "api/array_object.h"
 #include "api/buffer.h"
 #include "api/command.h"
 #include "api/enable.h"
@@ -143,17 +144,15 @@ void fgl_exec_PushClientAttrib(struct context *ctx, GLbitfield mask)
 void fgl_exec_PopClientAttrib(struct context *ctx)
 {
     RETURN_ERROR_IF(ctx, ctx->client_attrib_depth == 0, GL_STACK_UNDERFLOW);
-    const struct client_attrib_entry *e = &ctx->client_attrib_stack[--ctx->client_attrib_depth];
+    struct client_attrib_entry *e = &ctx->client_attrib_stack[--ctx->client_attrib_depth];
 
     if (e->mask & GL_CLIENT_PIXEL_STORE_BIT) {
         fgl_buffer_release_pixels(&ctx->client);
         ctx->client.pack = e->state.pack;
         ctx->client.unpack = e->state.unpack;
     }
-    if (e->mask & GL_CLIENT_VERTEX_ARRAY_BIT) {
-        fgl_buffer_release_arrays(&ctx->client.arrays);
-        ctx->client.arrays = e->state.arrays;
-    }
+    if (e->mask & GL_CLIENT_VERTEX_ARRAY_BIT)
+        fgl_array_object_restore(ctx, &e->state.arrays);
 }
 
 void fgl_client_attrib_destroy(struct context *ctx)

@@ -1,5 +1,6 @@
 /* The OSMesa API: contexts and the buffers that they draw to. Behaviour as Mesa 22.3's (docs/departures.md has the differences). */
 #include "osmesa/osmesa.h"
+#include "api/array_object.h"
 #include "api/attrib.h"
 #include "api/buffer.h"
 #include "api/errors.h"
@@ -147,6 +148,7 @@ void GLAPIENTRY OSMesaDestroyContext(OSMesaContext c)
     fgl_texture_store_release(c->gl.textures);
     fgl_queries_destroy(&c->gl);
     fgl_client_attrib_destroy(&c->gl);
+    fgl_array_objects_destroy(&c->gl);
     fgl_buffer_store_release(c->gl.buffers);
     fgl_eval_maps_destroy(&c->gl);
     fgl_imaging_destroy(&c->gl);

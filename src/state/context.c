@@ -197,13 +197,13 @@ static void init_eval(struct eval_state *e)
     e->map1_grid_segments = e->map2_grid_segments[0] = e->map2_grid_segments[1] = 1;
 }
 
-static void init_arrays(struct client_array_state *a)
+void fgl_state_init_arrays(struct vertex_array array[ATTR_MATERIAL])
 {
     for (int i = 0; i < ATTR_MATERIAL; i++)
-        a->array[i] = (struct vertex_array){.type = GL_FLOAT, .size = 4};
-    a->array[ATTR_NORMAL].size = a->array[ATTR_SECONDARY_COLOR].size = 3;
-    a->array[ATTR_FOG_COORD].size = a->array[ATTR_INDEX].size = a->array[ATTR_EDGE_FLAG].size = 1;
-    a->array[ATTR_EDGE_FLAG].type = GL_UNSIGNED_BYTE;
+        array[i] = (struct vertex_array){.type = GL_FLOAT, .size = 4};
+    array[ATTR_NORMAL].size = array[ATTR_SECONDARY_COLOR].size = 3;
+    array[ATTR_FOG_COORD].size = array[ATTR_INDEX].size = array[ATTR_EDGE_FLAG].size = 1;
+    array[ATTR_EDGE_FLAG].type = GL_UNSIGNED_BYTE;
 }
 
 static void init_stack(struct matrix_stack *stack, int limit, unsigned dirty)
@@ -254,7 +254,7 @@ void fgl_state_init(struct context *ctx)
     ctx->render_mode = GL_RENDER;
     ctx->feedback.type = GL_2D;
 
-    init_arrays(&ctx->client.arrays);
+    fgl_state_init_arrays(ctx->client.arrays.array);
     ctx->client.pack.alignment = ctx->client.unpack.alignment = 4;
 
     init_stack(&ctx->modelview, FGL_MAX_MODELVIEW_DEPTH, DIRTY_MODELVIEW);

@@ -290,6 +290,7 @@ struct client_array_state {
     int client_active_texture;                /* unit */
     struct buffer_object *array_buffer, *element_array_buffer; /* NULL: none is bound */
     int lock_first, lock_count; /* GL_EXT_compiled_vertex_array; count 0: not locked */
+    GLuint object; /* name of the array object whose arrays and element buffer these are now; 0: the context's own */
 };
 
 /* Table 6.22 "Pixels": glPixelStore, [0] pack, [1] unpack (GL_CLIENT_PIXEL_STORE_BIT). */
@@ -359,6 +360,7 @@ struct context {
     struct texture_object *proxy_texture[TEXTURE_TARGETS]; /* GL_PROXY_TEXTURE_1D...: sizes without texels */
     struct buffer_store *buffers;    /* api/buffer.h: buffer objects, shared as lists are */
     struct queries *queries;         /* api/query.h: allocated when first used */
+    struct array_objects *array_objects; /* api/array_object.h: allocated when first used */
     struct eval_maps *eval_maps;     /* api/eval_map.h: allocated when first used */
     struct imaging *imaging;         /* framebuffer/imaging.h: allocated when first used */
     struct pipeline *pipeline;       /* pipeline/pipeline.h: the plan and its work space */
@@ -376,6 +378,9 @@ extern _Thread_local FGL_TLS_FAST struct context *fgl_current;
 
 /* The arithmetic that its kernels use. */
 enum fgl_arith fgl_context_arith(const struct context *ctx);
+
+/* Initial values of the arrays, of which nothing is referred to. */
+void fgl_state_init_arrays(struct vertex_array array[ATTR_MATERIAL]);
 
 /* Sets every value to the initial value of the state tables. */
 void fgl_state_init(struct context *ctx);

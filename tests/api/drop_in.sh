@@ -6,6 +6,12 @@ case "$BUILD" in *asan*) echo "skipped: the sanitizer must be loaded first"; exi
 dir=$BUILD/tests/drop_in
 mkdir -p "$dir"
 
+# What FixedGL has must not be absent: the stub would hide it.
+if nm -D --defined-only "$BUILD/lib/drop-in/libGL.so.1" "$BUILD/lib/libfixedgl.so" | sed -n 's/.* T //p' | sort | uniq -d | grep .; then
+    echo "src/dropin/absent.def names functions that FixedGL has"
+    exit 1
+fi
+
 # The old libraries, as far as a linker looks at them.
 stub() { # stub SONAME FUNCTION...
     name=$1
