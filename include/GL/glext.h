@@ -1327,6 +1327,25 @@ typedef void (APIENTRYP PFNGLGETCOMPRESSEDTEXIMAGEARBPROC)(GLenum target, GLint 
 #define GL_MAX_RECTANGLE_TEXTURE_SIZE_NV           0x84F8
 #endif
 
+/* What red, green, blue and alpha of a texel are made of, border and depth textures included: glTexParameter with GL_RED, GL_GREEN, GL_BLUE,
+ * GL_ALPHA, GL_ZERO or GL_ONE; all four of GL_TEXTURE_SWIZZLE_RGBA. GL_INVALID_ENUM otherwise. */
+#ifndef GL_EXT_texture_swizzle
+#define GL_EXT_texture_swizzle 1
+#define GL_TEXTURE_SWIZZLE_R_EXT                   0x8E42
+#define GL_TEXTURE_SWIZZLE_G_EXT                   0x8E43
+#define GL_TEXTURE_SWIZZLE_B_EXT                   0x8E44
+#define GL_TEXTURE_SWIZZLE_A_EXT                   0x8E45
+#define GL_TEXTURE_SWIZZLE_RGBA_EXT                0x8E46
+#endif
+#ifndef GL_ARB_texture_swizzle
+#define GL_ARB_texture_swizzle 1
+#define GL_TEXTURE_SWIZZLE_R                       0x8E42
+#define GL_TEXTURE_SWIZZLE_G                       0x8E43
+#define GL_TEXTURE_SWIZZLE_B                       0x8E44
+#define GL_TEXTURE_SWIZZLE_A                       0x8E45
+#define GL_TEXTURE_SWIZZLE_RGBA                    0x8E46
+#endif
+
 /* glMapBufferRange maps a part of a buffer object, for reading, writing or both: GL_MAP_READ_BIT, GL_MAP_WRITE_BIT. The other bits are hints,
  * but GL_MAP_FLUSH_EXPLICIT_BIT, which allows glFlushMappedBufferRange.
  * Errors: GL_INVALID_VALUE outside of the buffer or for other bits; GL_INVALID_OPERATION for no length, no access, one that contradicts

@@ -186,7 +186,10 @@ void fgl_param_set(struct context *ctx, unsigned dirty, const struct param *p, v
     case PARAM_COLOR: fgl_set_floats(ctx, dirty, field, v, p->count); break;
     case PARAM_BOOL: SET(ctx, dirty, *(bool *)field, v[0] != 0.0f); break;
     case PARAM_INT: SET(ctx, dirty, *(int *)field, fgl_int_round((double)v[0])); break;
-    case PARAM_ENUM: SET(ctx, dirty, *(GLenum *)field, fgl_enum_from_float(v[0])); break;
+    case PARAM_ENUM:
+        for (int i = 0; i < p->count; i++)
+            SET(ctx, dirty, ((GLenum *)field)[i], fgl_enum_from_float(v[i]));
+        break;
     }
 }
 
@@ -213,7 +216,10 @@ void fgl_param_get(const struct param *p, const void *object, float *v)
     case PARAM_COLOR: memcpy(v, field, (size_t)p->count * sizeof *v); break;
     case PARAM_BOOL: v[0] = *(const bool *)field; break;
     case PARAM_INT: v[0] = (float)*(const int *)field; break;
-    case PARAM_ENUM: v[0] = (float)*(const GLenum *)field; break;
+    case PARAM_ENUM:
+        for (int i = 0; i < p->count; i++)
+            v[i] = (float)((const GLenum *)field)[i];
+        break;
     }
 }
 

@@ -26,6 +26,11 @@ static bool is_wrap(GLenum v)
     return v == GL_CLAMP || v == GL_REPEAT || v == GL_CLAMP_TO_EDGE || v == GL_CLAMP_TO_BORDER || v == GL_MIRRORED_REPEAT;
 }
 
+static bool is_swizzle(GLenum v)
+{
+    return (v >= GL_RED && v <= GL_ALPHA) || v == GL_ZERO || v == GL_ONE;
+}
+
 /* Table 3.18: whether an enumerant is one of the parameter's values. */
 static bool enum_allowed(GLenum pname, GLenum v)
 {
@@ -38,8 +43,21 @@ static bool enum_allowed(GLenum pname, GLenum v)
     case GL_DEPTH_TEXTURE_MODE: return v == GL_LUMINANCE || v == GL_INTENSITY || v == GL_ALPHA;
     case GL_TEXTURE_COMPARE_MODE: return v == GL_NONE || v == GL_COMPARE_R_TO_TEXTURE;
     case GL_TEXTURE_COMPARE_FUNC: return v >= GL_NEVER && v <= GL_ALWAYS;
+    case GL_TEXTURE_SWIZZLE_R:
+    case GL_TEXTURE_SWIZZLE_G:
+    case GL_TEXTURE_SWIZZLE_B:
+    case GL_TEXTURE_SWIZZLE_A:
+    case GL_TEXTURE_SWIZZLE_RGBA: return is_swizzle(v);
     default: return true;
     }
+}
+
+static bool enums_allowed(const struct param *p, const float *v)
+{
+    for (int i = 0; i < p->count && p->kind == PARAM_ENUM; i++)
+        if (!enum_allowed(p->pname, fgl_enum_from_float(v[i])))
+            return false;
+    return true;
 }
 
 /* GL_ARB_texture_rectangle: the error of a value that other targets may have. */
@@ -62,7 +80,7 @@ void fgl_exec_TexParameterfv(struct context *ctx, GLenum target, GLenum pname, c
     enum texture_target t;
     const struct param *p = fgl_texture_param(pname);
     RETURN_ERROR_IF(ctx, !fgl_texture_target(target, &t) || !p, GL_INVALID_ENUM);
-    RETURN_ERROR_IF(ctx, p->kind == PARAM_ENUM && !enum_allowed(pname, fgl_enum_from_float(params[0])), GL_INVALID_ENUM);
+    RETURN_ERROR_IF(ctx, !enums_allowed(p, params), GL_INVALID_ENUM);
     const GLenum error = t == TEXTURE_RECTANGLE ? rectangle_error(pname, params[0]) : GL_NO_ERROR;
     RETURN_ERROR_IF(ctx, error, error);
     RETURN_ERROR_IF(ctx, !fgl_param_allows(p, params), GL_INVALID_VALUE);

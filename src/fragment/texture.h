@@ -14,6 +14,9 @@ struct texture_level {
     const void *texels[TEXTURE_MAX_FACES];
 };
 
+/* Constants in place of a component (GL_EXT_texture_swizzle). */
+enum { SWIZZLE_ZERO = 4, SWIZZLE_ONE };
+
 struct sampler {
     enum texture_target target;
     enum texel_kind kind;
@@ -28,6 +31,8 @@ struct sampler {
     float magnify_below; /* level of detail up to which mag is used (GL 1.5, 3.8.8: c) */
     GLenum compare_func; /* depth textures; 0: not compared */
     GLenum depth_mode;
+    bool swizzled;
+    uint8_t swizzle[4]; /* the component that each is made of, SWIZZLE_ZERO or SWIZZLE_ONE */
     int depth_bits;
     int shift[4]; /* TEXELS_UNORM8: how many bits less than 8 the format stores of each component */
     float border[4];   /* as a texel */

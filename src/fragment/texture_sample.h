@@ -117,6 +117,19 @@ static inline void apply_depth_mode(GLenum mode, real texel[4][FRAGMENT_GROUP])
             FOR_GROUP(i) texel[c][i] = 0;
 }
 
+/* GL_EXT_texture_swizzle: components exchanged, or constants. */
+static inline void apply_swizzle(const uint8_t swizzle[4], real texel[4][FRAGMENT_GROUP])
+{
+    real from[SWIZZLE_ONE + 1][FRAGMENT_GROUP];
+    memcpy(from, texel, 4 * sizeof texel[0]);
+    FOR_GROUP(i) {
+        from[SWIZZLE_ZERO][i] = 0;
+        from[SWIZZLE_ONE][i] = 1;
+    }
+    for (int c = 0; c < 4; c++)
+        memcpy(texel[c], from[swizzle[c]], sizeof texel[c]);
+}
+
 /* Where and on which levels the texture of a unit is read. */
 static inline void find_texels(const struct fragments *fragments, const struct planes *p, const struct texture_stage *stage,
                                struct texture_coords *at, struct level_choice *choice)
@@ -150,6 +163,8 @@ static inline void sample_texture(const struct fragments *fragments, const struc
     }
     if (sampler->kind == TEXELS_DEPTH)
         apply_depth_mode(sampler->depth_mode, texel);
+    if (sampler->swizzled)
+        apply_swizzle(sampler->swizzle, texel);
 }
 
 #endif

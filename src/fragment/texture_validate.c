@@ -88,6 +88,15 @@ static void derive_border(struct sampler *to, const float color[4], const struct
         to->border[3] = c[0];
 }
 
+static void derive_swizzle(struct sampler *to, const GLenum swizzle[4])
+{
+    to->swizzled = false;
+    for (int c = 0; c < 4; c++) {
+        to->swizzle[c] = swizzle[c] == GL_ZERO ? SWIZZLE_ZERO : swizzle[c] == GL_ONE ? SWIZZLE_ONE : (uint8_t)(swizzle[c] - GL_RED);
+        to->swizzled |= to->swizzle[c] != c;
+    }
+}
+
 static void derive_levels(struct sampler *to, const struct texture_object *object)
 {
     const int base = object->parameters.base_level;
@@ -116,6 +125,7 @@ static void derive_sampler(struct sampler *to, const struct texture_object *obje
     derive_filters(to, &object->parameters, fgl_texture_last_level(object) == 0);
     derive_lod(to, &object->parameters, unit_bias);
     derive_border(to, object->parameters.border_color, image->format);
+    derive_swizzle(to, object->parameters.swizzle);
     derive_levels(to, object);
 }
 
@@ -130,7 +140,7 @@ static void set_combine(struct combine *to, GLenum function, GLenum source0, GLe
 static void derive_decal(struct texture_environment *to, GLenum base)
 {
     set_combine(&to->alpha, GL_REPLACE, GL_PREVIOUS, GL_PREVIOUS, GL_SRC_ALPHA);
-    if (base == GL_RGB) {
+    if (base == GL_RGB || base == GL_RED || base == GL_RG) {
         set_combine(&to->rgb, GL_REPLACE, GL_TEXTURE, GL_PREVIOUS, GL_SRC_COLOR);
     } else if (base == GL_RGBA) {
         set_combine(&to->rgb, GL_INTERPOLATE, GL_TEXTURE, GL_PREVIOUS, GL_SRC_COLOR);
@@ -292,7 +302,7 @@ bool fgl_texture_names_primary(const struct texture_stage *stage, int n)
 bool fgl_texture_products(const struct texture_stage *stage, int n)
 {
     for (int i = 0; i < n; i++)
-        if (!stage[i].environment.product || !stage[i].sampler.fixed_point)
+        if (!stage[i].environment.product || !stage[i].sampler.fixed_point || stage[i].sampler.swizzled)
             return false;
     return true;
 }

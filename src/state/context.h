@@ -192,6 +192,7 @@ enum texture_target { TEXTURE_1D, TEXTURE_2D, TEXTURE_RECTANGLE, TEXTURE_3D, TEX
 /* Of a texture object, by glTexParameter. wrap: s, t, r. */
 struct texture_parameters {
     GLenum min_filter, mag_filter, wrap[3], compare_mode, compare_func, depth_mode;
+    GLenum swizzle[4]; /* GL_EXT_texture_swizzle: what red, green, blue, alpha of a texel are made of */
     float border_color[4], priority, min_lod, max_lod, lod_bias;
     int base_level, max_level;
     bool generate_mipmap;

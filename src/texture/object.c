@@ -17,6 +17,7 @@ static void init_parameters(struct texture_parameters *p)
             .compare_mode = GL_NONE,
             .compare_func = GL_LEQUAL,
             .depth_mode = GL_LUMINANCE,
+            .swizzle = {GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA},
             .priority = 1,
             .min_lod = -1000,
             .max_lod = 1000,

@@ -30,6 +30,7 @@ static void define(struct texture_image *image, enum texture_target target, GLen
 static struct texture_object *random_texture(enum texture_target target)
 {
     static const GLenum formats[] = {GL_RGBA8, GL_RGBA8, GL_RGB8, GL_LUMINANCE8, GL_ALPHA8, GL_INTENSITY8, GL_RGBA4, GL_RGBA16};
+    static const GLenum swizzles[] = {GL_RED, GL_GREEN, GL_BLUE, GL_ALPHA, GL_ZERO, GL_ONE};
     static const GLenum filters[] = {GL_NEAREST, GL_LINEAR, GL_NEAREST_MIPMAP_NEAREST, GL_LINEAR_MIPMAP_NEAREST,
                                      GL_NEAREST_MIPMAP_LINEAR, GL_LINEAR_MIPMAP_LINEAR};
     static const GLenum wraps[] = {GL_REPEAT, GL_REPEAT, GL_CLAMP_TO_EDGE, GL_CLAMP, GL_MIRRORED_REPEAT};
@@ -42,6 +43,8 @@ static struct texture_object *random_texture(enum texture_target target)
     t->target = target;
     t->parameters = (struct texture_parameters){.min_filter = pick(filters, 6), .mag_filter = pick(filters, 2), .max_level = 1000,
                                                 .min_lod = -1000, .max_lod = 1000, .depth_mode = GL_LUMINANCE};
+    for (int c = 0; c < 4; c++)
+        t->parameters.swizzle[c] = one_of(12) ? (GLenum)(GL_RED + c) : pick(swizzles, 6);
     if (one_of(3) == 0)
         t->parameters.lod_bias = between(-2.0f, 2.0f);
     for (int i = 0; i < 3; i++)
