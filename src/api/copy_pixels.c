@@ -54,13 +54,15 @@ static void *read_rectangle(const struct context *ctx, int x, int y, int width, 
 }
 
 /* The depths of a rectangle to floats, in place. OSMesa rule: they pass through a texture of the buffer's
- * steps, and each way multiplies by the reciprocal of the greatest depth, which may end a step beside. */
+ * steps, and each way multiplies by the reciprocal of the greatest depth, which may end a step beside; depths of 24 bits
+ * without a stencil pass through clip space in place of the second. */
 static void copied_depths(const struct framebuffer *fb, uint32_t *depth, size_t n)
 {
     const float max = (float)fb->depth_max, step = 1.0f / max;
+    const bool clipped = fb->depth_bits == 24 && !fb->stencil_bits;
     for (size_t i = 0; i < n; i++) {
-        const float in_texture = (float)(depth[i] >> (32 - fb->depth_bits)) * step;
-        const float shown = rintf(in_texture * max) * step;
+        const float in_texture = (float)(depth[i] >> (32 - fb->depth_bits)) * step, clip_z = in_texture * 2.0f - 1.0f;
+        const float shown = clipped ? clip_z * 0.5f + 0.5f : rintf(in_texture * max) * step;
         memcpy(&depth[i], &shown, sizeof shown);
     }
 }
