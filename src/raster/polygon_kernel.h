@@ -79,9 +79,9 @@ static void polygon_mode(const struct raster_plan *plan, const void *a, const vo
     const bool ccw = det < 0, front = ccw == plan->front_is_ccw;
     if (front && det != 0 ? plan->cull_front : plan->cull_back)
         return;
-    if (stipple_counter && !(edges & EDGES_GO_ON))
-        *stipple_counter = 0;
     const GLenum mode = plan->polygon_mode[front ? 0 : 1];
+    if (stipple_counter && (mode != GL_LINE || !(edges & EDGES_GO_ON)))
+        *stipple_counter = 0;
     const real *const v[3] = {v0, v1, v2};
     struct corner corner[3];
     for (int i = 0; i < 3; i++)

@@ -124,7 +124,7 @@ static inline void fgl_raster_triangle(const struct raster_plan *plan, const voi
 
 /* The same through glPolygonMode: edges and points as the modes of its face say; `edges` bit i: the edge from
  * v_i to v_(i+1)%3 is a boundary. The line stipple starts anew unless the triangle goes on with the polygon
- * of the one before. */
+ * of the one before. OSMesa rule: it does so too after a part of a polygon that is not drawn as lines. */
 enum { EDGES_ALL = 7, EDGES_GO_ON = 8 };
 static inline void fgl_raster_polygon_mode(const struct raster_plan *plan, const void *v0, const void *v1, const void *v2,
                                            const void *provoking, unsigned edges, int *stipple_counter)
