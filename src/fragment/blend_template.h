@@ -56,6 +56,10 @@ static FGL_NOINLINE void T(blend_channel)(const struct color_buffer_state *s, bo
     }
     const GLenum src_factor = c == 3 ? s->blend_src_alpha : s->blend_src_rgb,
                  dst_factor = c == 3 ? s->blend_dst_alpha : s->blend_dst_rgb;
+    if (src_factor == GL_ZERO && dst_factor == GL_ZERO) {
+        FOR_ELEMENTS(i) out[i] = 0;
+        return;
+    }
     const ELEMENT *fa = (const ELEMENT *)T(factor)(src_factor, c, src, dst, constant, max, src_factors),
                   *fb = (const ELEMENT *)T(factor)(dst_factor, c, src, dst, constant, max, dst_factors);
 #if FACTOR_OUT
@@ -72,6 +76,10 @@ static FGL_NOINLINE void T(blend_channel)(const struct color_buffer_state *s, bo
         FOR_ELEMENTS(i) out[i] = (ELEMENT)MUL(b[i], fb[i]);
     else if (dst_factor == GL_ZERO && equation != GL_FUNC_REVERSE_SUBTRACT)
         FOR_ELEMENTS(i) out[i] = (ELEMENT)MUL(a[i], fa[i]);
+#if FACTOR_OUT
+    else if (dst_factor == GL_ZERO) /* or +0 */
+        FOR_ELEMENTS(i) out[i] = 0 - MUL(a[i], fa[i]);
+#endif
     else if (equation == GL_FUNC_ADD)
         FOR_ELEMENTS(i) out[i] = (ELEMENT)ADD(MUL(a[i], fa[i]), MUL(b[i], fb[i]));
     else if (equation == GL_FUNC_SUBTRACT)
