@@ -29,17 +29,17 @@ static inline void fgl_error(struct context *ctx, GLenum error)
 
 /* Draws the vertices that immediate mode still holds, since the state they were given under is about to change, and makes
  * attributes set outside Begin/End the current values; then marks `dirty`. A setter calls it only when a value really changes:
- * OSMesa's batches end in the same places, and some pixels depend on where they end. (api/immediate.c) */
+ * OSMesa's batches end in the same places, and some pixels depend on where they end. (api/begin_end.c) */
 void fgl_flush_vertices(struct context *ctx, unsigned dirty);
 
 /* The arithmetic that later draws use: FIXEDGL_EXACT, ... (api/misc.c) */
 void fgl_set_accuracy(struct context *ctx, GLenum mode);
 
-/* The same in any case: before what is drawn otherwise than by immediate mode. (api/immediate.c) */
+/* The same in any case: before what is drawn otherwise than by immediate mode. (api/begin_end.c) */
 void fgl_flush_all(struct context *ctx);
 
 /* Makes attributes that immediate mode still holds the current values, and draws nothing; for queries of current values.
- * (api/immediate.c) */
+ * (api/begin_end.c) */
 void fgl_flush_current(struct context *ctx);
 /* Before vertices that are not immediate mode's are drawn: stored ones are drawn, attributes become current values. */
 void fgl_flush_for_arrays(struct context *ctx);
