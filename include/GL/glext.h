@@ -1935,6 +1935,41 @@ typedef void (APIENTRYP PFNGLBLITFRAMEBUFFEREXTPROC)(GLint srcX0, GLint srcY0, G
         GLint dstX0, GLint dstY0, GLint dstX1, GLint dstY1, GLbitfield mask, GLenum filter);
 #endif
 
+
+/* ---- Of later versions and other extensions -------------------------------------------------------------
+ * Names of what FixedGL does not have, for programs that ask at run time and for those that set it in passing: commands answer
+ * GL_INVALID_ENUM to them and do nothing. The macros that announce their versions and extensions are not defined. */
+
+#define GL_SHADING_LANGUAGE_VERSION                0x8B8C
+#define GL_MAJOR_VERSION                           0x821B
+#define GL_MINOR_VERSION                           0x821C
+#define GL_NUM_EXTENSIONS                          0x821D
+#define GL_CONTEXT_FLAGS                           0x821E
+#define GL_CURRENT_PROGRAM                         0x8B8D
+#define GL_MAX_VERTEX_ATTRIBS                      0x8869
+#define GL_MAX_TEXTURE_COORDS                      0x8871
+#define GL_MAX_TEXTURE_IMAGE_UNITS                 0x8872
+#define GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS        0x8B4D
+#define GL_MAX_DRAW_BUFFERS                        0x8824
+#define GL_VERTEX_SHADER                           0x8B31
+#define GL_FRAGMENT_SHADER                         0x8B30
+#define GL_VERTEX_PROGRAM_ARB                      0x8620
+#define GL_FRAGMENT_PROGRAM_ARB                    0x8804
+#define GL_VERTEX_PROGRAM_POINT_SIZE               0x8642
+#define GL_PROGRAM_POINT_SIZE                      0x8642
+#define GL_TEXTURE_MAX_ANISOTROPY_EXT              0x84FE
+#define GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT          0x84FF
+#define GL_COMPRESSED_RGB_S3TC_DXT1_EXT            0x83F0
+#define GL_COMPRESSED_RGBA_S3TC_DXT1_EXT           0x83F1
+#define GL_COMPRESSED_RGBA_S3TC_DXT3_EXT           0x83F2
+#define GL_COMPRESSED_RGBA_S3TC_DXT5_EXT           0x83F3
+#define GL_DEPTH_STENCIL_TEXTURE_MODE              0x90EA
+#define GL_DEPTH_CLAMP                             0x864F
+#define GL_FRAMEBUFFER_SRGB                        0x8DB9
+#define GL_MULTISAMPLE_FILTER_HINT_NV              0x8534
+#define GL_PRIMITIVE_RESTART                       0x8F9D
+#define GL_TEXTURE_CUBE_MAP_SEAMLESS               0x884F
+
 #ifdef __cplusplus
 }
 #endif

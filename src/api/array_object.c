@@ -10,13 +10,13 @@
 #include <string.h>
 
 struct array_object {
-    bool created;                         /* bound once; until then only its name is taken */
+    bool created;                             /* bound once; until then only its name is taken */
     struct vertex_array array[ATTR_MATERIAL]; /* while the object is not bound */
     struct buffer_object *element_array_buffer;
 };
 
 struct array_objects {
-    struct idmap map;          /* name -> struct array_object */
+    struct idmap map;         /* name -> struct array_object */
     struct array_object none; /* the context's own arrays, while an object is bound */
 };
 

@@ -81,6 +81,18 @@ TOKEN(OSMESA_RGB_565, 5);
 TOKEN(OSMESA_MAX_HEIGHT, 0x25);
 TOKEN(OSMESA_CONTEXT_MINOR_VERSION, 0x37);
 
+/* Names of what FixedGL lacks, from the registry; what announces them stays undefined. */
+TOKEN(GL_SHADING_LANGUAGE_VERSION, 0x8B8C);
+TOKEN(GL_MAJOR_VERSION, 0x821B);
+TOKEN(GL_VERTEX_SHADER, 0x8B31);
+TOKEN(GL_TEXTURE_MAX_ANISOTROPY_EXT, 0x84FE);
+TOKEN(GL_COMPRESSED_RGBA_S3TC_DXT5_EXT, 0x83F3);
+TOKEN(GL_DEPTH_STENCIL_TEXTURE_MODE, 0x90EA);
+TOKEN(GL_FRAMEBUFFER_SRGB, 0x8DB9);
+#if defined(GL_VERSION_2_0) || defined(GL_VERSION_3_0) || defined(GL_EXT_texture_filter_anisotropic)
+#error "the headers announce what FixedGL lacks"
+#endif
+
 #if !defined(GL_VERSION_1_1) || !defined(GL_VERSION_1_5) || !defined(GL_ARB_multitexture) ||                 \
         !defined(GL_ARB_imaging)
 #error "the headers do not say what they hold"
