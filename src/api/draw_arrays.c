@@ -226,6 +226,7 @@ static void draw_elements(struct context *ctx, GLenum mode, GLsizei count, GLenu
     uint32_t min, max;
     const uint32_t *e = widen(ctx->pipeline, count, type, indices, &min, &max);
     RETURN_ERROR_IF(ctx, !e, GL_OUT_OF_MEMORY);
+    source.range_unknown = !range && fgl_array_source_count(&source) != UINT32_MAX;
     widen_range(range, count, &min, &max);
     if (max - min > 8 * (uint32_t)count + FGL_BATCH_SIZE) {
         draw_scattered(ctx, &source, mode, count, e);

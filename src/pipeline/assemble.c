@@ -209,12 +209,12 @@ static FGL_ALWAYS_INLINE void polygon(struct assembly *as, int n)
 }
 
 /* Whether a vertex from start to end lies outside the volume. OSMesa rule: with elements that are no fewer than the vertices of their range, any of
- * the range. */
+ * the range, where that is known. */
 static bool any_outside(const struct assembly *as, int start, int end)
 {
     uint32_t outside = 0;
     const struct vertex_cache *c = &as->p->cache;
-    if (as->elements && c->used <= end - start) {
+    if (as->elements && !as->p->cache.range_unknown && c->used <= end - start) {
         for (int i = 0; i < c->used; i++)
             outside |= c->outcode[i];
         return outside != 0;

@@ -182,6 +182,7 @@ static void draw(struct context *ctx, const struct vertex_source *source, const 
     }
     ctx->framebuffer->drawn = true;
     p->cache.used = vertices;
+    p->cache.range_unknown = elements && source->range_unknown;
     struct vertex_job job = {p, source, min_index, vertices};
     p->unshaded = may_wait(p, prims, n) && fgl_shade_later(p, &job) ? &job : NULL;
     if (!run_vertices(p, &job)) {

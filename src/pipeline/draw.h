@@ -20,6 +20,7 @@ struct vertex_source {
     struct attr_source attr[ATTR_COUNT];
     bool compiled; /* from a display list */
     bool arrays;   /* from vertex arrays */
+    bool range_unknown; /* OSMesa rule: of elements where all arrays lie in buffer objects, unless glDrawRangeElements names their range */
 };
 
 /* One primitive: vertices first .. first+count of the source, or of the elements. */

@@ -32,6 +32,7 @@ struct plan {
 struct vertex_cache {
     int capacity;     /* vertices */
     int used;         /* vertices of this draw */
+    bool range_unknown; /* of elements: see struct vertex_source */
     size_t record_bytes, clip_bytes; /* that there is room for in each of them */
     unsigned char *record; /* raster vertices, plan.emit.record_bytes each */
     unsigned char *clip;   /* clip vertices, plan.emit.clip_bytes each; written where a batch has any outcode */
