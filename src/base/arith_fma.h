@@ -55,13 +55,25 @@ static FGL_ALWAYS_INLINE float fgl_fma_emulated(float a, float b, float c)
     return (float)fgl_bits_double((fgl_double_bits(s) - too_large) | inexact);
 }
 
+#if defined(__FMA__) || defined(__ARM_FEATURE_FMA)
+#define FGL_FMA_EMULATED 0
+#else
+#define FGL_FMA_EMULATED 1
+#endif
+
 static FGL_ALWAYS_INLINE float fgl_fma(float a, float b, float c)
 {
-#if defined(__FMA__) || defined(__ARM_FEATURE_FMA)
-    return __builtin_fmaf(a, b, c);
-#else
+#if FGL_FMA_EMULATED
     return fgl_fma_emulated(a, b, c);
+#else
+    return __builtin_fmaf(a, b, c);
 #endif
+}
+
+/* The same where a * b + c is exact in double, so that it is rounded once anyhow. */
+static FGL_ALWAYS_INLINE float fgl_fma_plain(float a, float b, float c)
+{
+    return (float)((double)a * (double)b + (double)c);
 }
 
 #endif

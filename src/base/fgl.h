@@ -24,11 +24,16 @@
 #define FGL_TLS_FAST
 #endif
 
-/* Before a loop of a few iterations that is to become vectors: Clang would unroll it first. */
+/* Before a loop of a few iterations that is to become vectors: Clang would unroll it first; GCC too, where it is inside of another loop. */
 #if defined(__clang__)
 #define FGL_VECTOR_LOOP _Pragma("clang loop unroll(disable)")
+#define FGL_INNER_VECTOR_LOOP FGL_VECTOR_LOOP
+#elif defined(__GNUC__)
+#define FGL_VECTOR_LOOP
+#define FGL_INNER_VECTOR_LOOP _Pragma("GCC unroll 1")
 #else
 #define FGL_VECTOR_LOOP
+#define FGL_INNER_VECTOR_LOOP
 #endif
 
 #define FGL_COUNTOF(a) (sizeof(a) / sizeof((a)[0]))

@@ -23,18 +23,18 @@ struct fused_row {
 /* The depth test: writes the depth of the pixels that pass, marks them in live (all bits or none). Returns
  * whether any does. */
 static FGL_ALWAYS_INLINE bool fused_depth(const struct planes *p, const struct fused_row *row, int x,
-                                          int32_t *FGL_RESTRICT live, const enum depth_kind kind, const int n)
+                                          int32_t *FGL_RESTRICT live, const enum depth_kind kind, const int n, const bool plain)
 {
     int32_t *FGL_RESTRICT depth = kind != DEPTH_OFF ? row->depth + x : NULL;
     const struct plane plane = plane_of(p, LANE_Z);
     const real y = row->y, offset = PLANES(p)->z_offset, depth_max = row->depth_max;
     const int x0 = row->x0, x1 = row->x1;
     int32_t any = 0;
-    FGL_VECTOR_LOOP for (int i = 0; i < n; i++) {
+    FGL_INNER_VECTOR_LOOP for (int i = 0; i < n; i++) {
         const int32_t inside = -((x + i >= x0) & (x + i < x1));
         int32_t pass = inside;
         if (kind != DEPTH_OFF) {
-            const real z = value_at(plane, (real)(x + i), y) + offset;
+            const real z = value_if(plain, plane, (real)(x + i), y) + offset;
             const int32_t new_depth = depth_from_z(z, depth_max), old_depth = depth[i];
             pass &= -(kind == DEPTH_LESS ? new_depth < old_depth : new_depth <= old_depth);
             depth[i] = pass ? new_depth : old_depth;
@@ -46,7 +46,7 @@ static FGL_ALWAYS_INLINE bool fused_depth(const struct planes *p, const struct f
 }
 
 static FGL_ALWAYS_INLINE void fused_color(const struct planes *p, const struct fused_row *row, int x,
-                                          const int32_t *FGL_RESTRICT live, const enum color_source source)
+                                          const int32_t *FGL_RESTRICT live, const enum color_source source, const bool plain)
 {
     uint32_t *FGL_RESTRICT color = row->color + x;
     const uint32_t *FGL_RESTRICT image = source == COLOR_IMAGE ? row->image + x : NULL;
@@ -54,11 +54,12 @@ static FGL_ALWAYS_INLINE void fused_color(const struct planes *p, const struct f
                        b = plane_of(p, LANE_COLOR + 2), a = plane_of(p, LANE_COLOR + 3);
     const real y = row->y;
     const uint32_t flat = row->flat_color;
-    FGL_VECTOR_LOOP for (int i = 0; i < FUSED_GROUP; i++) {
+    FGL_INNER_VECTOR_LOOP for (int i = 0; i < FUSED_GROUP; i++) {
         uint32_t c = source == COLOR_IMAGE ? image[i] : flat;
         if (source == COLOR_SMOOTH) {
-            const real fx = (real)(x + i), w = 1 / value_at(oow, fx, y);
-            c = pack_unorm8(value_at(r, fx, y) * w, value_at(g, fx, y) * w, value_at(b, fx, y) * w, value_at(a, fx, y) * w);
+            const real fx = (real)(x + i), w = 1 / value_if(plain, oow, fx, y);
+            c = pack_unorm8(value_if(plain, r, fx, y) * w, value_if(plain, g, fx, y) * w, value_if(plain, b, fx, y) * w,
+                            value_if(plain, a, fx, y) * w);
         }
         color[i] = live[i] ? c : color[i];
     }
@@ -78,8 +79,8 @@ static FGL_NOINLINE void staged_color(const struct fragment_plan *plan, const st
     }
 }
 
-static FGL_ALWAYS_INLINE void fused_fill(const struct fragment_plan *plan, const struct planes *planes,
-                                         const struct runs *runs, const enum depth_kind kind, const int source)
+static FGL_ALWAYS_INLINE void fused_fill_if(const bool plain, const struct fragment_plan *plan, const struct planes *planes,
+                                            const struct runs *runs, const enum depth_kind kind, const int source)
 {
     const struct framebuffer *fb = plan->fb;
     const ptrdiff_t stride = fb->stride;
@@ -104,14 +105,32 @@ static FGL_ALWAYS_INLINE void fused_fill(const struct fragment_plan *plan, const
         const int n = source == COLOR_STAGED ? FRAGMENT_GROUP : FUSED_GROUP;
         for (int x = row.x0 & -n; x < row.x1; x += n) {
             _Alignas(64) int32_t live[FRAGMENT_GROUP];
-            if (!fused_depth(planes, &row, x, live, kind, n))
+            if (!fused_depth(planes, &row, x, live, kind, n, plain))
                 continue;
             if (source == COLOR_STAGED)
                 staged_color(plan, planes, runs->y + i, x, live, row.color + x);
             else
-                fused_color(planes, &row, x, live, source);
+                fused_color(planes, &row, x, live, source, plain);
         }
     }
+}
+
+/* Whether all planes are plain that are evaluated here. */
+static FGL_ALWAYS_INLINE bool are_plain(const struct planes *planes, const enum depth_kind kind, const int source)
+{
+    bool plain = kind == DEPTH_OFF || is_plain(plane_of(planes, LANE_Z));
+    for (int lane = LANE_OOW; lane < LANE_COLOR + 4 && source == COLOR_SMOOTH; lane++)
+        plain &= is_plain(plane_of(planes, lane));
+    return plain;
+}
+
+static FGL_ALWAYS_INLINE void fused_fill(const struct fragment_plan *plan, const struct planes *planes,
+                                         const struct runs *runs, const enum depth_kind kind, const int source)
+{
+    if (are_plain(planes, kind, source))
+        fused_fill_if(true, plan, planes, runs, kind, source);
+    else
+        fused_fill_if(false, plan, planes, runs, kind, source);
 }
 
 #define FUSED(name, kind, source)                                                                            \

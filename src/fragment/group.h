@@ -42,9 +42,46 @@ static FGL_ALWAYS_INLINE real value_at(struct plane plane, real x, real y)
     return r_fma(plane.dady, y, r_fma(plane.dadx, x, plane.a00));
 }
 
-static FGL_ALWAYS_INLINE real plane_at(const struct planes *p, int lane, real x, real y)
+/* Where fused multiply-add has to be emulated: whether it need not be for this plane, since sums are exact in double. The largest
+ * exponent of the three numbers and the least, below which lie 23 bits of mantissa, say how many bits a sum may have; x and y have at
+ * most 15, the sums two more: 23 + 1 + 15 + 2 of 53 leave 12. What was rounded to float before has no bits below. */
+static FGL_ALWAYS_INLINE bool is_plain(struct plane plane)
 {
-    return value_at(plane_of(p, lane), x, y);
+#if FGL_FMA_EMULATED && !R_EXACT
+    const real number[3] = {plane.a00, plane.dadx, plane.dady};
+    int low = 255, high = 0;
+    for (int k = 0; k < 3; k++) {
+        const int exponent = (int)(fgl_float_bits(number[k]) >> 23 & 255), shift = k == 0 ? 0 : 15;
+        low = number[k] != 0 && exponent < low ? exponent : low;
+        high = number[k] != 0 && exponent + shift > high ? exponent + shift : high;
+    }
+    return high - low <= 27;
+#else
+    (void)plane;
+    return false;
+#endif
+}
+
+/* The same value, in the way that is_plain says. */
+static FGL_ALWAYS_INLINE real value_if(const bool plain, struct plane plane, real x, real y)
+{
+#if FGL_FMA_EMULATED && !R_EXACT
+    if (plain)
+        return fgl_fma_plain(plane.dady, y, fgl_fma_plain(plane.dadx, x, plane.a00));
+#endif
+    (void)plain;
+    return value_at(plane, x, y);
+}
+
+/* At n pixels of a row. */
+static FGL_ALWAYS_INLINE void plane_values(const struct planes *p, int lane, const int n, const real *FGL_RESTRICT x, real y,
+                                           real *FGL_RESTRICT to)
+{
+    const struct plane plane = plane_of(p, lane);
+    if (is_plain(plane))
+        FGL_VECTOR_LOOP for (int i = 0; i < n; i++) to[i] = value_if(true, plane, x[i], y);
+    else
+        FGL_VECTOR_LOOP for (int i = 0; i < n; i++) to[i] = value_if(false, plane, x[i], y);
 }
 
 /* Window z to the depth buffer's integer: round half to even of z * (2^bits - 1), OSMesa's in float arithmetic. */

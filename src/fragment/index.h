@@ -13,7 +13,7 @@ static inline void interpolate_index(struct fragments *f, const struct fragment_
     if (plan->pixels && plan->pixels->color[0])
         FOR_GROUP(i) f->color[0][i] = (real)plan->pixels->color[0][f->x + i];
     else if (plan->color_source == COLOR_SMOOTH)
-        FOR_GROUP(i) f->color[0][i] = plane_at(p, LANE_COLOR, f->fx[i], f->fy) * f->w[i];
+        interpolate_channel(f, p, LANE_COLOR, f->color[0]);
     else
         FOR_GROUP(i) f->color[0][i] = flat;
     FOR_GROUP(i) f->color[3][i] = 1;

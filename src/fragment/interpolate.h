@@ -37,7 +37,8 @@ static FGL_ALWAYS_INLINE void place_fragments(struct fragments *f, int row, int 
 /* What interpolates with perspective. */
 static FGL_ALWAYS_INLINE void find_w(struct fragments *f, const struct planes *p)
 {
-    FOR_GROUP(i) f->w[i] = 1 / plane_at(p, LANE_OOW, f->fx[i], f->fy);
+    plane_values(p, LANE_OOW, FRAGMENT_GROUP, f->fx, f->fy, f->w);
+    FOR_GROUP(i) f->w[i] = 1 / f->w[i];
 }
 
 /* The pixels of the run, less those that a polygon stipple leaves out (GL 1.5, 3.5.2: window coordinates
@@ -53,9 +54,10 @@ static inline void start_fragments(struct fragments *f, const struct fragment_pl
         f->live[i] = -((x + i >= x0) & (x + i < x1) & (int32_t)(stipple >> (31 - ((x + i) & 31)) & 1));
 }
 
-static FGL_ALWAYS_INLINE void interpolate_channel(struct fragments *f, const struct planes *p, int lane, real *FGL_RESTRICT to)
+static FGL_ALWAYS_INLINE void interpolate_channel(const struct fragments *f, const struct planes *p, int lane, real *FGL_RESTRICT to)
 {
-    FOR_GROUP(i) to[i] = plane_at(p, lane, f->fx[i], f->fy) * f->w[i];
+    plane_values(p, lane, FRAGMENT_GROUP, f->fx, f->fy, to);
+    FOR_GROUP(i) to[i] *= f->w[i];
 }
 
 static FGL_ALWAYS_INLINE void take_channel(struct fragments *f, const float *from, real *FGL_RESTRICT to)
@@ -98,6 +100,7 @@ static inline void interpolate_color(struct fragments *f, const struct fragment_
 static inline void add_secondary_color(struct fragments *f, const struct fragment_plan *plan,
                                        const struct planes *p)
 {
+    real smooth[FRAGMENT_GROUP];
     for (int c = 0; c < 3; c++) {
         const bool constant = plan->secondary_source == COLOR_CONSTANT;
         const real flat = constant ? (real)plan->constant_secondary[c] : PLANES(p)->a00[LANE_SECONDARY + c];
@@ -105,8 +108,10 @@ static inline void add_secondary_color(struct fragments *f, const struct fragmen
             FOR_GROUP(i) f->color[c][i] += f->secondary[c][i];
         else if (plan->secondary_source != COLOR_SMOOTH)
             FOR_GROUP(i) f->color[c][i] += flat;
-        else
-            FOR_GROUP(i) f->color[c][i] += plane_at(p, LANE_SECONDARY + c, f->fx[i], f->fy) * f->w[i];
+        else {
+            interpolate_channel(f, p, LANE_SECONDARY + c, smooth);
+            FOR_GROUP(i) f->color[c][i] += smooth[i];
+        }
         if (R_EXACT)
             FOR_GROUP(i) f->color[c][i] = r_saturate(f->color[c][i]);
     }
@@ -116,7 +121,7 @@ static inline void add_secondary_color(struct fragments *f, const struct fragmen
 static inline void fog_factor(const struct fragments *f, const struct fragment_plan *plan, const struct planes *p,
                               real *FGL_RESTRICT factor)
 {
-    FOR_GROUP(i) factor[i] = plane_at(p, LANE_FOG, f->fx[i], f->fy) * f->w[i];
+    interpolate_channel(f, p, LANE_FOG, factor);
     const real k = FOG_NUMBERS(plan)->k, fog_p = FOG_NUMBERS(plan)->p, fog_q = FOG_NUMBERS(plan)->q;
     if (plan->fog_mode == GL_LINEAR)
         FOR_GROUP(i) factor[i] = factor[i] * fog_p + fog_q;
@@ -147,8 +152,10 @@ static inline void apply_fog(struct fragments *f, const struct fragment_plan *pl
 static inline void apply_smoothing(struct fragments *f, const struct planes *p)
 {
     real s[4][FRAGMENT_GROUP];
-    for (int c = 0; c < 4; c++)
-        FOR_GROUP(i) s[c][i] = plane_at(p, LANE_SMOOTH + c, f->fx[i], f->fy) * f->w[i];
+    interpolate_channel(f, p, LANE_SMOOTH + 0, s[0]);
+    interpolate_channel(f, p, LANE_SMOOTH + 1, s[1]);
+    interpolate_channel(f, p, LANE_SMOOTH + 2, s[2]);
+    interpolate_channel(f, p, LANE_SMOOTH + 3, s[3]);
     if (p->smoothing == SMOOTH_LINE) {
         FOR_GROUP(i)
             f->color[3][i] *= r_saturate(s[1][i] - r_abs(s[0][i])) * r_saturate(s[3][i] - r_abs(s[2][i]));

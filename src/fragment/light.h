@@ -9,7 +9,7 @@ static inline void lit_lane(const struct fragments *f, const struct planes *p, i
                             double to[LIT_GROUP])
 {
     for (int i = 0; i < LIT_GROUP; i++)
-        to[i] = (double)(plane_at(p, lane, f->fx[from[i]], f->fy) * f->w[from[i]]);
+        to[i] = (double)(value_at(plane_of(p, lane), f->fx[from[i]], f->fy) * f->w[from[i]]);
 }
 
 static FGL_NOINLINE void light_group(struct fragments *f, const struct fragment_plan *plan, const struct planes *p)
@@ -28,7 +28,7 @@ static FGL_NOINLINE void light_group(struct fragments *f, const struct fragment_
     for (int k = 0; k < lit->attributes; k++)
         for (int c = 0; c < 4; c++)
             lit_lane(f, p, lit->attribute + 4 * k + c, from, group.attribute[k][c]);
-    group.back = plane_at(p, lit->normal + 3, f->fx[covered], f->fy) > 0;
+    group.back = value_at(plane_of(p, lit->normal + 3), f->fx[covered], f->fy) > 0;
     lit->light(lit->lights, &group);
     for (int c = 0; c < 4; c++)
         FOR_GROUP(i) f->color[c][i] = (real)group.color[c][i];

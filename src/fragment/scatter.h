@@ -5,7 +5,7 @@
 
 #include "fragment/group.h"
 
-/* The plane of a lane at pixel i, as plane_at. */
+/* The plane of a lane at pixel i, as value_at. */
 static FGL_ALWAYS_INLINE real scattered_at(const struct scattered *s, int lane, int i)
 {
     return r_fma(s->dady[lane][i], (real)s->y[i], r_fma(s->dadx[lane][i], (real)s->x[i], s->a00[lane][i]));

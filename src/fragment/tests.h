@@ -96,11 +96,13 @@ static inline void depth_compare(struct fragments *f, const struct fragment_plan
 {
     const real depth_max = (real)plan->fb->depth_max;
     const float *given = plan->pixels ? plan->pixels->depth : NULL;
-    if (given)
+    real z[FRAGMENT_GROUP];
+    if (given) {
         FOR_GROUP(i) f->depth[i] = depth_from_z((real)given[f->x + i], depth_max);
-    else
-        FOR_GROUP(i)
-            f->depth[i] = depth_from_z(plane_at(p, LANE_Z, f->fx[i], f->fy) + PLANES(p)->z_offset, depth_max);
+    } else {
+        plane_values(p, LANE_Z, FRAGMENT_GROUP, f->fx, f->fy, z);
+        FOR_GROUP(i) f->depth[i] = depth_from_z(z[i] + PLANES(p)->z_offset, depth_max);
+    }
     FOR_GROUP(i) pass[i] = compare(plan->depth_func, f->depth[i], old[i]);
 }
 

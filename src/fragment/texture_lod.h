@@ -21,8 +21,9 @@ struct level_choice {
 static FGL_ALWAYS_INLINE void coordinate_at(const struct planes *p, int lane, const int n, const real *fx, real fy, const real *w,
                                             const real *over_q, real *FGL_RESTRICT to)
 {
+    plane_values(p, lane, n, fx, fy, to);
     for (int i = 0; i < n; i++)
-        to[i] = plane_at(p, lane, fx[i], fy) * w[i] * over_q[i];
+        to[i] = to[i] * w[i] * over_q[i];
 }
 
 /* s t r at n pixels of a row, divided by q. OSMesa rule: multiplied by 1/q, also where q was never given. */
@@ -38,8 +39,9 @@ static FGL_ALWAYS_INLINE void coordinates_at(const struct texture_stage *stage, 
                 to[c][i] = (real)stage->constant[c] * scale;
         return;
     }
+    plane_values(p, lane + 3, n, fx, fy, over_q);
     for (int i = 0; i < n; i++)
-        over_q[i] = 1 / (plane_at(p, lane + 3, fx[i], fy) * w[i]);
+        over_q[i] = 1 / (over_q[i] * w[i]);
     coordinate_at(p, lane, n, fx, fy, w, over_q, to[0]);
     if (count > 1)
         coordinate_at(p, lane + 1, n, fx, fy, w, over_q, to[1]);
@@ -52,8 +54,9 @@ static FGL_ALWAYS_INLINE void coordinates_of_row(const struct texture_stage *sta
                                                  int row, const int count, real to[3][FRAGMENT_GROUP])
 {
     real w[FRAGMENT_GROUP];
+    plane_values(p, LANE_OOW, n, fx, (real)row, w);
     for (int i = 0; i < n; i++)
-        w[i] = 1 / plane_at(p, LANE_OOW, fx[i], (real)row);
+        w[i] = 1 / w[i];
     coordinates_at(stage, p, n, fx, (real)row, w, count, to);
 }
 
