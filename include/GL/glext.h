@@ -1957,6 +1957,8 @@ typedef void (APIENTRYP PFNGLBLITFRAMEBUFFEREXTPROC)(GLint srcX0, GLint srcY0, G
 #define GL_FRAGMENT_PROGRAM_ARB                    0x8804
 #define GL_VERTEX_PROGRAM_POINT_SIZE               0x8642
 #define GL_PROGRAM_POINT_SIZE                      0x8642
+#define GL_COLOR_INDEX8_EXT                        0x80E5
+#define GL_CLIP_VOLUME_CLIPPING_HINT_EXT           0x80F0
 #define GL_TEXTURE_MAX_ANISOTROPY_EXT              0x84FE
 #define GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT          0x84FF
 #define GL_COMPRESSED_RGB_S3TC_DXT1_EXT            0x83F0
@@ -1969,6 +1971,9 @@ typedef void (APIENTRYP PFNGLBLITFRAMEBUFFEREXTPROC)(GLint srcX0, GLint srcY0, G
 #define GL_MULTISAMPLE_FILTER_HINT_NV              0x8534
 #define GL_PRIMITIVE_RESTART                       0x8F9D
 #define GL_TEXTURE_CUBE_MAP_SEAMLESS               0x884F
+
+/* Before OpenGL 1.1, another name. */
+#define GL_POLYGON_OFFSET_EXT                      0x8037 /* GL_POLYGON_OFFSET_FILL */
 
 #ifdef __cplusplus
 }

@@ -146,7 +146,7 @@ static void occlusion(void **state)
     glRectf(-1, -1, 1, 1); /* before the query, and not drawn yet */
     glBeginQuery(GL_SAMPLES_PASSED, query);
     EXPECT_ERROR(GL_INVALID_OPERATION, glBeginQuery(GL_SAMPLES_PASSED, query + 1));
-    GLuint n;
+    GLuint n, available = 0;
     EXPECT_ERROR(GL_INVALID_OPERATION, glGetQueryObjectuiv(query, GL_QUERY_RESULT, &n));
     glRectf(-1, -1, 1, 1); /* no deeper: fails the test */
     assert_int_equal(counted(query), 0);
@@ -155,6 +155,11 @@ static void occlusion(void **state)
     glDepthFunc(GL_LEQUAL);
     glRectf(-1, -1, 0, 1);
     assert_int_equal(counted(query), TEST_SIZE * TEST_SIZE / 2);
+    glBeginQuery(GL_SAMPLES_PASSED, query);
+    glRectf(-1, -1, 1, 1);
+    glEndQuery(GL_SAMPLES_PASSED);
+    glGetQueryObjectuiv(query, GL_QUERY_RESULT_AVAILABLE, &available);
+    assert_int_equal(available, GL_TRUE);
     EXPECT_ERROR(GL_INVALID_OPERATION, glEndQuery(GL_SAMPLES_PASSED));
     EXPECT_ERROR(GL_INVALID_OPERATION, glBeginQuery(GL_SAMPLES_PASSED, 0));
     EXPECT_ERROR(GL_INVALID_ENUM, glBeginQuery(GL_QUERY_RESULT, query));
