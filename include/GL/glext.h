@@ -1346,6 +1346,45 @@ typedef void (APIENTRYP PFNGLGETCOMPRESSEDTEXIMAGEARBPROC)(GLenum target, GLint 
 #define GL_TEXTURE_SWIZZLE_RGBA                    0x8E46
 #endif
 
+/* A sampler object bound to a unit, from 0, samples in place of the parameters of its textures: wrap modes, filters, border colour, levels of
+ * detail, comparison. Pnames and values are those of glTexParameter for these; the I forms take border colours as integers.
+ * Errors: GL_INVALID_VALUE for negative counts and units that there are not; GL_INVALID_OPERATION for names that glGenSamplers did not give;
+ * GL_INVALID_ENUM for other pnames and values. */
+#ifndef GL_ARB_sampler_objects
+#define GL_ARB_sampler_objects 1
+#define GL_SAMPLER_BINDING                         0x8919
+#ifdef GL_GLEXT_PROTOTYPES
+GLAPI void GLAPIENTRY glGenSamplers(GLsizei count, GLuint *samplers);
+GLAPI void GLAPIENTRY glDeleteSamplers(GLsizei count, const GLuint *samplers);
+GLAPI GLboolean GLAPIENTRY glIsSampler(GLuint sampler);
+GLAPI void GLAPIENTRY glBindSampler(GLuint unit, GLuint sampler);
+GLAPI void GLAPIENTRY glSamplerParameteri(GLuint sampler, GLenum pname, GLint param);
+GLAPI void GLAPIENTRY glSamplerParameterf(GLuint sampler, GLenum pname, GLfloat param);
+GLAPI void GLAPIENTRY glSamplerParameteriv(GLuint sampler, GLenum pname, const GLint *params);
+GLAPI void GLAPIENTRY glSamplerParameterfv(GLuint sampler, GLenum pname, const GLfloat *params);
+GLAPI void GLAPIENTRY glSamplerParameterIiv(GLuint sampler, GLenum pname, const GLint *params);
+GLAPI void GLAPIENTRY glSamplerParameterIuiv(GLuint sampler, GLenum pname, const GLuint *params);
+GLAPI void GLAPIENTRY glGetSamplerParameteriv(GLuint sampler, GLenum pname, GLint *params);
+GLAPI void GLAPIENTRY glGetSamplerParameterfv(GLuint sampler, GLenum pname, GLfloat *params);
+GLAPI void GLAPIENTRY glGetSamplerParameterIiv(GLuint sampler, GLenum pname, GLint *params);
+GLAPI void GLAPIENTRY glGetSamplerParameterIuiv(GLuint sampler, GLenum pname, GLuint *params);
+#endif
+typedef void(GLAPIENTRYP PFNGLGENSAMPLERSPROC)(GLsizei count, GLuint *samplers);
+typedef void(GLAPIENTRYP PFNGLDELETESAMPLERSPROC)(GLsizei count, const GLuint *samplers);
+typedef GLboolean(GLAPIENTRYP PFNGLISSAMPLERPROC)(GLuint sampler);
+typedef void(GLAPIENTRYP PFNGLBINDSAMPLERPROC)(GLuint unit, GLuint sampler);
+typedef void(GLAPIENTRYP PFNGLSAMPLERPARAMETERIPROC)(GLuint sampler, GLenum pname, GLint param);
+typedef void(GLAPIENTRYP PFNGLSAMPLERPARAMETERFPROC)(GLuint sampler, GLenum pname, GLfloat param);
+typedef void(GLAPIENTRYP PFNGLSAMPLERPARAMETERIVPROC)(GLuint sampler, GLenum pname, const GLint *params);
+typedef void(GLAPIENTRYP PFNGLSAMPLERPARAMETERFVPROC)(GLuint sampler, GLenum pname, const GLfloat *params);
+typedef void(GLAPIENTRYP PFNGLSAMPLERPARAMETERIIVPROC)(GLuint sampler, GLenum pname, const GLint *params);
+typedef void(GLAPIENTRYP PFNGLSAMPLERPARAMETERIUIVPROC)(GLuint sampler, GLenum pname, const GLuint *params);
+typedef void(GLAPIENTRYP PFNGLGETSAMPLERPARAMETERIVPROC)(GLuint sampler, GLenum pname, GLint *params);
+typedef void(GLAPIENTRYP PFNGLGETSAMPLERPARAMETERFVPROC)(GLuint sampler, GLenum pname, GLfloat *params);
+typedef void(GLAPIENTRYP PFNGLGETSAMPLERPARAMETERIIVPROC)(GLuint sampler, GLenum pname, GLint *params);
+typedef void(GLAPIENTRYP PFNGLGETSAMPLERPARAMETERIUIVPROC)(GLuint sampler, GLenum pname, GLuint *params);
+#endif
+
 /* glMapBufferRange maps a part of a buffer object, for reading, writing or both: GL_MAP_READ_BIT, GL_MAP_WRITE_BIT. The other bits are hints,
  * but GL_MAP_FLUSH_EXPLICIT_BIT, which allows glFlushMappedBufferRange.
  * Errors: GL_INVALID_VALUE outside of the buffer or for other bits; GL_INVALID_OPERATION for no length, no access, one that contradicts

@@ -11,6 +11,7 @@ int fgl_count_light_model(GLenum pname);
 int fgl_count_fog(GLenum pname);
 int fgl_count_point(GLenum pname);
 int fgl_count_texture(GLenum pname);
+int fgl_count_sampler(GLenum pname);
 int fgl_count_texture_env(GLenum pname);
 int fgl_count_texgen(GLenum pname);
 int fgl_count_color_table(GLenum pname);

@@ -84,6 +84,11 @@ static void texture_binding_rectangle(const struct context *ctx, double *v)
 {
     *v = texture_binding(ctx, TEXTURE_RECTANGLE);
 }
+static void sampler_binding(const struct context *ctx, double *v)
+{
+    const struct sampler_object *sampler = ctx->s.texture.unit[ctx->s.texture.active_texture].sampler;
+    *v = sampler ? sampler->name : 0;
+}
 static void texture_binding_3d(const struct context *ctx, double *v)
 {
     *v = texture_binding(ctx, TEXTURE_3D);

@@ -35,6 +35,7 @@ void fgl_textures_restore(struct context *ctx, const struct attrib_entry *e)
     for (int unit = 0; unit < FGL_MAX_TEXTURE_UNITS; unit++) {
         struct texture_unit *u = &now->unit[unit], saved = e->state.texture.unit[unit];
         memcpy(saved.bound, u->bound, sizeof saved.bound);
+        saved.sampler = u->sampler; /* OSMesa rule: stays as it is */
         *u = saved;
         for (enum texture_target t = 0; t < TEXTURE_TARGETS; t++)
             restore_texture(ctx, &u->bound[t], t, &e->texture[unit][t]);

@@ -52,7 +52,7 @@ static bool enum_allowed(GLenum pname, GLenum v)
     }
 }
 
-static bool enums_allowed(const struct param *p, const float *v)
+bool fgl_texture_enums_allowed(const struct param *p, const float *v)
 {
     for (int i = 0; i < p->count && p->kind == PARAM_ENUM; i++)
         if (!enum_allowed(p->pname, fgl_enum_from_float(v[i])))
@@ -80,7 +80,7 @@ void fgl_exec_TexParameterfv(struct context *ctx, GLenum target, GLenum pname, c
     enum texture_target t;
     const struct param *p = fgl_texture_param(pname);
     RETURN_ERROR_IF(ctx, !fgl_texture_target(target, &t) || !p, GL_INVALID_ENUM);
-    RETURN_ERROR_IF(ctx, !enums_allowed(p, params), GL_INVALID_ENUM);
+    RETURN_ERROR_IF(ctx, !fgl_texture_enums_allowed(p, params), GL_INVALID_ENUM);
     const GLenum error = t == TEXTURE_RECTANGLE ? rectangle_error(pname, params[0]) : GL_NO_ERROR;
     RETURN_ERROR_IF(ctx, error, error);
     RETURN_ERROR_IF(ctx, !fgl_param_allows(p, params), GL_INVALID_VALUE);

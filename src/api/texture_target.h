@@ -16,6 +16,10 @@ bool fgl_texture_target(GLenum target, enum texture_target *out);
 /* A target of glTexImage and its kin with images of `dimensions`; 0: of any. Cube maps by their faces. */
 bool fgl_image_target(GLenum target, int dimensions, struct image_target *out);
 
+struct param;
+/* Whether the enumerants v are values of a texture's or a sampler's parameter (GL 1.5, table 3.18). */
+bool fgl_texture_enums_allowed(const struct param *p, const float *v);
+
 /* The object bound to a target of the active unit. */
 struct texture_object *fgl_bound_texture(const struct context *ctx, enum texture_target target);
 

@@ -45,7 +45,6 @@ static void derive_filters(struct sampler *to, const struct texture_parameters *
         to->fixed_point &= i >= to->dimensions || !needs_border(to->wrap[i]);
     }
     to->compare_func = to->kind == TEXELS_DEPTH && p->compare_mode == GL_COMPARE_R_TO_TEXTURE ? p->compare_func : 0;
-    to->depth_mode = p->depth_mode;
 }
 
 /* OSMesa rules: the bias is a multiple of 1/256; limits that say nothing are left out. */
@@ -113,8 +112,9 @@ static void derive_levels(struct sampler *to, const struct texture_object *objec
     }
 }
 
-static void derive_sampler(struct sampler *to, const struct texture_object *object, float unit_bias)
+static void derive_sampler(struct sampler *to, const struct texture_object *object, const struct texture_unit *unit)
 {
+    const struct texture_parameters *p = fgl_texture_sampling(unit, object);
     const struct texture_image *image = &object->image[0][object->parameters.base_level];
     to->target = object->target;
     to->kind = image->kind;
@@ -122,9 +122,10 @@ static void derive_sampler(struct sampler *to, const struct texture_object *obje
     const bool rgba = image->format->base_format == GL_RGBA || image->format->base_format == GL_RGB;
     for (int c = 0; c < 4; c++)
         to->shift[c] = to->kind == TEXELS_UNORM8 && rgba && image->format->bits[c] ? 8 - image->format->bits[c] : 0;
-    derive_filters(to, &object->parameters, fgl_texture_last_level(object) == 0);
-    derive_lod(to, &object->parameters, unit_bias);
-    derive_border(to, object->parameters.border_color, image->format);
+    derive_filters(to, p, fgl_texture_last_level(object) == 0);
+    derive_lod(to, p, unit->env.lod_bias);
+    derive_border(to, p->border_color, image->format);
+    to->depth_mode = object->parameters.depth_mode;
     derive_swizzle(to, object->parameters.swizzle);
     derive_levels(to, object);
 }
@@ -324,7 +325,7 @@ int fgl_texture_stages(struct texture_stage stage[FGL_MAX_TEXTURE_UNITS], const 
         to->across_sprite = s->point.point_sprite && s->point.coord_replace[unit];
         for (int c = 0; c < 4; c++)
             to->constant[c] = s->current.attr[ATTR_TEX0 + unit][c];
-        derive_sampler(&to->sampler, object, u->env.lod_bias);
+        derive_sampler(&to->sampler, object, u);
         const struct texture_format *format = object->image[0][object->parameters.base_level].format;
         derive_environment(&to->environment, &u->env, environment_format(&to->sampler, format->base_format),
                            fgl_texture_format_leaves_unit(format));

@@ -10,6 +10,7 @@
 #include "api/list.h"
 #include "api/proc_address.h"
 #include "api/query.h"
+#include "api/sampler.h"
 #include "fixedgl.h"
 #include "framebuffer/imaging.h"
 #include "pipeline/explain.h"
@@ -66,14 +67,16 @@ static bool init_context(struct osmesa_context *c, OSMesaContext share)
         fgl_buffer_store_retain(share->gl.buffers);
         fgl_texture_store_retain(share->gl.textures);
         fgl_renderbuffer_store_retain(share->gl.renderbuffers);
+        fgl_sampler_store_retain(share->gl.samplers);
     }
     ctx->share = share ? share->gl.share : fgl_share_create();
     ctx->buffers = share ? share->gl.buffers : fgl_buffer_store_create();
     ctx->lists = share ? share->gl.lists : fgl_list_store_create();
     ctx->renderbuffers = share ? share->gl.renderbuffers : fgl_renderbuffer_store_create();
+    ctx->samplers = share ? share->gl.samplers : fgl_sampler_store_create();
     ctx->textures = share ? share->gl.textures : fgl_texture_store_create();
-    return ctx->immediate && ctx->pipeline && ctx->share && ctx->lists && ctx->buffers && ctx->textures && ctx->renderbuffers &&
-           fgl_texture_context_init(ctx);
+    return ctx->immediate && ctx->pipeline && ctx->share && ctx->lists && ctx->buffers && ctx->textures && ctx->samplers &&
+           ctx->renderbuffers && fgl_texture_context_init(ctx);
 }
 
 static OSMesaContext create(GLenum format, int depth, int stencil, int accum, OSMesaContext share)
@@ -146,6 +149,7 @@ void GLAPIENTRY OSMesaDestroyContext(OSMesaContext c)
     fgl_renderbuffer_store_release(c->gl.renderbuffers);
     fgl_texture_context_free(&c->gl);
     fgl_texture_store_release(c->gl.textures);
+    fgl_sampler_store_release(c->gl.samplers);
     fgl_queries_destroy(&c->gl);
     fgl_client_attrib_destroy(&c->gl);
     fgl_array_objects_destroy(&c->gl);

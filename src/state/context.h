@@ -216,6 +216,7 @@ struct texture_unit {
     bool gen_enabled[4]; /* s, t, r, q */
     struct texgen gen[4];
     struct texture_env env;
+    struct sampler_object *sampler; /* texture/texture.h; NULL: none */
     struct texture_object *bound[TEXTURE_TARGETS]; /* texture/texture.h; name 0: the store's default objects, never NULL */
 };
 
@@ -358,6 +359,7 @@ struct context {
     struct share_group *share;       /* state/share.h: the contexts that share what follows */
     struct list_store *lists;        /* api/list.h: lists, maybe shared with other contexts */
     struct texture_store *textures;  /* texture/texture.h: texture objects, maybe shared alike */
+    struct sampler_store *samplers;  /* api/sampler.h: sampler objects, shared as lists are */
     struct texture_object *proxy_texture[TEXTURE_TARGETS]; /* GL_PROXY_TEXTURE_1D...: sizes without texels */
     struct buffer_store *buffers;    /* api/buffer.h: buffer objects, shared as lists are */
     struct queries *queries;         /* api/query.h: allocated when first used */

@@ -43,35 +43,51 @@ static bool face_complete(const struct texture_object *object, int face, bool mi
     return true;
 }
 
-static bool find_complete(const struct texture_object *object)
+static bool find_complete(const struct texture_object *object, bool mipmapped)
 {
     const struct texture_parameters *p = &object->parameters;
     if (p->base_level >= FGL_MAX_TEXTURE_LEVELS || !object->image[0][p->base_level].texels)
         return false;
-    if (mipmaps(p) && p->base_level > p->max_level)
+    if (mipmapped && p->base_level > p->max_level)
         return false;
     const struct texture_image *base = &object->image[0][p->base_level];
     if (object->target == TEXTURE_CUBE_MAP && base->width != base->height)
         return false;
     for (int face = 0; face < fgl_texture_faces(object->target); face++)
-        if (!face_complete(object, face, mipmaps(p)))
+        if (!face_complete(object, face, mipmapped))
             return false;
     return true;
 }
 
-bool fgl_texture_complete(struct texture_object *object)
+bool fgl_texture_complete(struct texture_object *object, bool mipmapped)
 {
-    if (!object->complete_known) {
-        object->complete = find_complete(object);
-        object->complete_known = true;
+    if (!object->complete_known[mipmapped]) {
+        object->complete[mipmapped] = find_complete(object, mipmapped);
+        object->complete_known[mipmapped] = true;
     }
-    return object->complete;
+    return object->complete[mipmapped];
+}
+
+/* A sampler object may ask of a rectangle texture what the texture may not: to be repeated, or mipmapped. Nothing is drawn then. */
+static bool suits_rectangles(const struct texture_parameters *p)
+{
+    for (int i = 0; i < 2; i++)
+        if (p->wrap[i] == GL_REPEAT || p->wrap[i] == GL_MIRRORED_REPEAT)
+            return false;
+    return !mipmaps(p);
+}
+
+static bool can_draw(const struct texture_unit *unit, struct texture_object *object)
+{
+    const struct texture_parameters *p = fgl_texture_sampling(unit, object);
+    const bool suits = !unit->sampler || object->target != TEXTURE_RECTANGLE || suits_rectangles(p);
+    return suits && fgl_texture_complete(object, mipmaps(p));
 }
 
 struct texture_object *fgl_texture_current(const struct texture_unit *unit)
 {
     for (int t = TEXTURE_TARGETS - 1; t >= 0; t--)
-        if ((unit->enabled >> t & 1) && fgl_texture_complete(unit->bound[t]))
+        if ((unit->enabled >> t & 1) && can_draw(unit, unit->bound[t]))
             return unit->bound[t];
     return NULL;
 }

@@ -7,8 +7,7 @@ struct texture_object fgl_texture_unbound;
 
 /* ---- objects ---- */
 
-/* Table 6.15. */
-static void init_parameters(struct texture_parameters *p)
+void fgl_texture_init_parameters(struct texture_parameters *p)
 {
     *p = (struct texture_parameters){
             .min_filter = GL_NEAREST_MIPMAP_LINEAR,
@@ -40,7 +39,7 @@ static struct texture_object *create(unsigned name, enum texture_target target)
         return NULL;
     object->name = name;
     object->target = target;
-    init_parameters(&object->parameters);
+    fgl_texture_init_parameters(&object->parameters);
     if (target == TEXTURE_RECTANGLE)
         init_rectangle(&object->parameters);
     atomic_init(&object->references, 1);
@@ -120,6 +119,21 @@ void fgl_texture_bind(struct texture_object **bound, struct texture_object *obje
     fgl_texture_release(old);
 }
 
+void fgl_sampler_release(struct sampler_object *object)
+{
+    if (object && atomic_fetch_sub(&object->references, 1) == 1)
+        free(object);
+}
+
+void fgl_sampler_bind(struct sampler_object **bound, struct sampler_object *object)
+{
+    struct sampler_object *old = *bound;
+    if (object)
+        atomic_fetch_add(&object->references, 1);
+    *bound = object;
+    fgl_sampler_release(old);
+}
+
 bool fgl_texture_context_init(struct context *ctx)
 {
     bool whole = true;
@@ -133,11 +147,13 @@ bool fgl_texture_context_init(struct context *ctx)
 
 void fgl_texture_context_free(struct context *ctx)
 {
-    for (int unit = 0; unit < FGL_MAX_TEXTURE_UNITS; unit++)
+    for (int unit = 0; unit < FGL_MAX_TEXTURE_UNITS; unit++) {
+        fgl_sampler_bind(&ctx->s.texture.unit[unit].sampler, NULL);
         for (int t = 0; t < TEXTURE_TARGETS; t++) {
             fgl_texture_release(ctx->s.texture.unit[unit].bound[t]);
             ctx->s.texture.unit[unit].bound[t] = NULL;
         }
+    }
     for (int t = 0; t < TEXTURE_TARGETS; t++)
         fgl_texture_release(ctx->proxy_texture[t]);
 }

@@ -35,8 +35,15 @@ struct texture_object {
     enum texture_target target;
     struct texture_parameters parameters;
     struct texture_image image[TEXTURE_MAX_FACES][FGL_MAX_TEXTURE_LEVELS]; /* [face][level] */
-    bool complete, complete_known; /* fgl_texture_complete's answer, until something changes */
+    bool complete[2], complete_known[2]; /* fgl_texture_complete's answers, [mipmapped], until something changes */
     atomic_int references;         /* the store's and one for each binding */
+};
+
+/* GL_ARB_sampler_objects: how a unit samples, in place of what its texture says. */
+struct sampler_object {
+    unsigned name;
+    struct texture_parameters parameters; /* those that GL_ARB_sampler_objects names */
+    atomic_int references; /* the store's and one for each binding */
 };
 
 /* Texture objects by name, shared by contexts. A name that glGenTextures gave and nobody has bound yet stands for fgl_texture_unbound. */
@@ -71,20 +78,31 @@ void fgl_texture_context_free(struct context *ctx);
 /* Puts an object in the place of the one that is bound. */
 void fgl_texture_bind(struct texture_object **bound, struct texture_object *object);
 void fgl_texture_release(struct texture_object *object);
+/* What table 6.15 says of a new object. */
+void fgl_texture_init_parameters(struct texture_parameters *p);
+/* Puts a sampler object, or none, in the place of the one that is bound. */
+void fgl_sampler_bind(struct sampler_object **bound, struct sampler_object *object);
+void fgl_sampler_release(struct sampler_object *object);
 
 /* To be called whenever an image or a parameter of the object changed. */
 static inline void fgl_texture_changed(struct texture_object *object)
 {
-    object->complete_known = false;
+    object->complete_known[0] = object->complete_known[1] = false;
 }
 
-/* Whether the object can be drawn with (GL 1.5, 3.8.10 "Texture Completeness"). */
-bool fgl_texture_complete(struct texture_object *object);
+/* Whether the object can be drawn with, by filters that mipmap or others (GL 1.5, 3.8.10 "Texture Completeness"). */
+bool fgl_texture_complete(struct texture_object *object, bool mipmapped);
+
+/* The parameters by which a unit samples an object: filters, wrap modes, border, levels of detail, comparison. */
+static inline const struct texture_parameters *fgl_texture_sampling(const struct texture_unit *unit, const struct texture_object *object)
+{
+    return unit->sampler ? &unit->sampler->parameters : &object->parameters;
+}
 
 /* The texture that a unit draws with. OSMesa rule: of the targets that are enabled and complete the one of highest precedence; NULL: none. */
 struct texture_object *fgl_texture_current(const struct texture_unit *unit);
 
-/* The last level that mipmapping filters use: q of 3.8.8. The object is complete and its min_filter mipmaps. */
+/* The last level that mipmapping filters use: q of 3.8.8. The object is complete for filters that mipmap. */
 int fgl_texture_last_level(const struct texture_object *object);
 
 #endif

@@ -52,7 +52,7 @@ static struct texture_object *random_texture(enum texture_target target)
     for (int face = 0; face < fgl_texture_faces(target); face++)
         for (int level = 0; level == 0 || fgl_max(fgl_max(w, h), d) >> level; level++)
             define(&t->image[face][level], target, format, fgl_max(w >> level, 1), fgl_max(h >> level, 1), fgl_max(d >> level, 1));
-    assert_true(fgl_texture_complete(t));
+    assert_true(fgl_texture_complete(t, true));
     return t;
 }
 
