@@ -176,14 +176,23 @@ static bool choose_reference(struct diff *diff, struct problem *problem)
     return use_goldens(diff, problem);
 }
 
+/* Programs by path need no list, and no departures are named for them. */
+static bool list_pictures(struct diff *diff, struct problem *problem)
+{
+    const struct diff_options *options = &diff->options;
+    if (options->by_path)
+        return fgl_pictures_of_programs(options->names, options->name_count, options->events ? options->events : "",
+                                        &diff->pictures, problem);
+    return fgl_pictures_read(options->pictures, &diff->pictures, problem) &&
+           fgl_departures_read(options->departures, &diff->pictures, &diff->departures, problem);
+}
+
 static bool prepare(struct diff *diff, char **scratch, struct problem *problem)
 {
     const struct diff_options *options = &diff->options;
-    if (!fgl_pictures_read(options->pictures, &diff->pictures, problem) ||
-        !fgl_departures_read(options->departures, &diff->pictures, &diff->departures, problem) ||
-        !choose_reference(diff, problem))
+    if (!list_pictures(diff, problem) || !choose_reference(diff, problem))
         return false;
-    if (options->name_count > 0 &&
+    if (options->name_count > 0 && !options->by_path &&
         !fgl_pictures_select(&diff->pictures, options->names, options->name_count, problem))
         return false;
     *scratch = fgl_format("%s/scratch", options->output);

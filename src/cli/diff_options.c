@@ -9,10 +9,12 @@
 
 static const char usage[] =
         "usage: fixedgl diff [OPTION...] [PICTURE...]\n"
+        "       fixedgl diff [OPTION...] [--events SCRIPT] PATH/PROGRAM...\n"
         "\n"
         "Draws the pictures of a list with FixedGL and with Mesa's OSMesa, compares every byte of colour "
         "and\n"
         "every depth value, and writes a report. Without names, all pictures of the list.\n"
+        "The second form draws programs of your own, in their own size, and needs OSMesa.\n"
         "\n"
         "  --pictures FILE      the picture list             (examples/pictures.txt)\n"
         "  --examples DIR       the example programs         (build/examples)\n"
@@ -23,6 +25,7 @@ static const char usage[] =
         "  --reference WHICH    osmesa, goldens, or auto: OSMesa where it can be loaded and the CPU has "
         "FMA,\n"
         "                       else the goldens             (auto)\n"
+        "  --events SCRIPT      input for programs of your own, as in FIXEDGL_EVENTS\n"
         "  --record DIR         record goldens from OSMesa into DIR instead of comparing\n"
         "  --jobs N             pictures drawn at once       (2)\n"
         "  --timeout SECONDS    for one program              (60)\n"
@@ -61,6 +64,7 @@ static bool store(struct diff_options *options, int option, const char *value)
     case 'g': options->goldens = value; return true;
     case 'o': options->output = value; return true;
     case 'm': options->osmesa = value; return true;
+    case 'v': options->events = value; return true;
     case 'w': options->record = value; return true;
     case 'r': return read_reference(value, &options->reference);
     case 't': return read_number(value, 0.01, 1e6, &options->timeout);
@@ -82,6 +86,7 @@ bool fgl_diff_options_read(int argc, char **argv, struct diff_options *options, 
             {"output", required_argument, NULL, 'o'},
             {"osmesa", required_argument, NULL, 'm'},
             {"reference", required_argument, NULL, 'r'},
+            {"events", required_argument, NULL, 'v'},
             {"record", required_argument, NULL, 'w'},
             {"jobs", required_argument, NULL, 'j'},
             {"timeout", required_argument, NULL, 't'},
@@ -116,5 +121,10 @@ bool fgl_diff_options_read(int argc, char **argv, struct diff_options *options, 
     options->name_count = argc - optind;
     if (options->record != NULL && options->name_count > 0)
         return fgl_complain("diff: --record records the whole list and takes no names") == EXIT_SAME;
+    options->by_path = options->name_count > 0 && strchr(options->names[0], '/') != NULL;
+    if (options->events != NULL && !options->by_path)
+        return fgl_complain("diff: --events is for programs that are given by path") == EXIT_SAME;
+    if (options->by_path)
+        options->reference = REFERENCE_OSMESA;
     return true;
 }

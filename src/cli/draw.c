@@ -37,7 +37,8 @@ static void make_variables(const struct renderer *renderer, const struct picture
     int count = 0;
     set[count++] = fgl_format("FIXEDGL_CAPTURE=%s", files->color);
     set[count++] = fgl_format("FIXEDGL_CAPTURE_DEPTH=%s", files->depth);
-    set[count++] = fgl_format("FIXEDGL_SIZE=%dx%d", picture->width, picture->height);
+    if (picture->width > 0)
+        set[count++] = fgl_format("FIXEDGL_SIZE=%dx%d", picture->width, picture->height);
     if (picture->events[0] != '\0')
         set[count++] = fgl_format("FIXEDGL_EVENTS=%s", picture->events);
     if (renderer->preload != NULL) {

@@ -120,6 +120,16 @@ test_lists() {
     printf 'same same 4x2\none one 4x2\n' >list
     diff_pictures 0 same
     says_not "one  "
+    rm list # programs by path need none
+    diff_pictures 1 programs/same programs/one
+    row same 0 0 0 0 0 0
+    row one 1 1 0 0 0 0
+    diff_pictures 0 --events 'click left 100 200; key a; wait 2' programs/events
+    diff_pictures 2 programs/same one
+    says "'one' is no path"
+    diff_pictures 2 programs/same ./programs/same
+    says "listed twice"
+    diff_pictures 2 --events 'key a' same
 }
 
 test_counts() {
