@@ -35,6 +35,25 @@ static void fetch_float(const struct framebuffer *fb, size_t at, int n, struct f
             row->color.channel[c][i] = c == 3 && !fb->has_alpha ? 1.0f : pixel[4 * i + c];
 }
 
+/* The colours of an image of few bits as bytes. OSMesa rule: 5 bits are repeated. */
+static void fetch_image_bytes(const struct framebuffer *fb, size_t at, int n, struct fetched_row *row)
+{
+    fetch_float(fb, at, n, row);
+    row->bits = 8;
+    for (int c = 0; c < 4; c++) {
+        const bool repeated = fb->image_bits[c] == 5;
+        for (int i = 0; i < n; i++) {
+            const uint32_t v = fgl_unorm(row->color.channel[c][i], repeated ? 31.0f : 255.0f);
+            row->integer[c][i] = repeated ? v << 3 | v >> 2 : v;
+        }
+    }
+}
+
+static bool has_few_bits(const struct framebuffer *fb)
+{
+    return fb->image_bits[0] && fb->image_bits[0] < 8;
+}
+
 static void fetch_565(const struct framebuffer *fb, size_t at, int n, struct fetched_row *row, bool bytes)
 {
     static const int shift[3] = {11, 5, 0}, bits[3] = {5, 6, 5};
@@ -65,7 +84,12 @@ static void fetch_color(const struct framebuffer *fb, int x, int y, int n, const
     switch (fb->color_kind) {
     case COLOR_UNORM8: fetch_unorm8(fb, at, n, row); break;
     case COLOR_UNORM16: fetch_unorm16(fb, at, n, row); break;
-    case COLOR_FLOAT: fetch_float(fb, at, n, row); break;
+    case COLOR_FLOAT:
+        if (bytes && has_few_bits(fb))
+            fetch_image_bytes(fb, at, n, row);
+        else
+            fetch_float(fb, at, n, row);
+        break;
     case COLOR_565: fetch_565(fb, at, n, row, bytes); break;
     case COLOR_INDEX8: break; /* fetch_index */
     }
