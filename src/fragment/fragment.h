@@ -139,6 +139,7 @@ struct fragment_plan {
     struct lit_lanes lit; /* for COLOR_LIT; set by the caller of fgl_fragment_validate */
     bool has_secondary; /* separate specular or colour sum, */
     enum color_source secondary_source; /* from LANE_SECONDARY, lit, or */
+    bool flat_sum; /* OSMesa rule: flat for the sake of a secondary color that lighting does not give, but GL_COLOR_SUM asks for */
     float constant_secondary[3];
     bool keeps_color; /* colours are wanted, even if fragments do not use them: feedback */
     uint32_t texture_varying; /* bit: a unit whose texture coordinates differ by fragment */

@@ -259,7 +259,7 @@ static FGL_ALWAYS_INLINE void quad_by_second_diagonal(struct assembly *as, int i
 static FGL_ALWAYS_INLINE void quads(struct assembly *as, int n, bool compiled)
 {
     const struct pipeline *p = as->p;
-    const bool simple = !p->plan.decomposed && !p->plan.raster.flat && !as->elements && !compiled;
+    const bool simple = !p->plan.decomposed && !p->plan.raster.flat && !p->plan.fragment.flat_sum && !as->elements && !compiled;
     n -= n % 4; /* the vertices of an incomplete quad do not count */
     for (int start = 0; start + 3 < n; start += FGL_BATCH_SIZE) {
         const int end = fgl_min(n, start + FGL_BATCH_SIZE);

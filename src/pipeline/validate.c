@@ -122,6 +122,7 @@ static void update_secondary(const struct context *ctx, struct fragment_plan *f,
     const bool by_vertex = l->lighting || (varying & (1u << ATTR_SECONDARY_COLOR));
     f->has_secondary = l->lighting ? l->light_model_color_control == GL_SEPARATE_SPECULAR_COLOR : ctx->s.fog.color_sum;
     f->secondary_source = f->color_source == COLOR_LIT ? COLOR_LIT : !by_vertex ? COLOR_CONSTANT : l->shade_model == GL_FLAT ? COLOR_FLAT : COLOR_SMOOTH;
+    f->flat_sum = l->lighting && ctx->s.fog.color_sum && l->shade_model == GL_FLAT;
     for (int i = 0; i < 3; i++)
         f->constant_secondary[i] = fgl_clamp01(ctx->s.current.attr[ATTR_SECONDARY_COLOR][i]);
 }
