@@ -98,6 +98,20 @@ static void a_level_stays_when_another_is_given(void **state)
     assert_int_equal(memcmp(texels, again, sizeof again) == 0, on_fixedgl());
 }
 
+/* skipped-texels. GL 1.5, 3.6.4: the first texel is that after the skipped ones. */
+static void texels_are_skipped_with_pixel_transfer(void **state)
+{
+    static const GLubyte texels[2][4] = {{10, 20, 30, 40}, {50, 60, 70, 80}};
+    GLubyte again[4];
+    (void)state;
+    glPixelTransferf(GL_RED_SCALE, 2);
+    glPixelStorei(GL_UNPACK_SKIP_PIXELS, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+    glPixelTransferf(GL_RED_SCALE, 1);
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, again);
+    assert_int_equal(again[0], on_fixedgl() ? 100 : 20);
+}
+
 /* mipmaps-of-nothing. GL_EXT_framebuffer_object, 3.8.8: without a base level there is nothing to do; a cube map must be complete. */
 static void no_mipmaps_come_from_no_image(void **state)
 {
@@ -125,7 +139,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
             GL_TEST(triangles_keep_their_coordinates),    GL_TEST(sprites_stay_in_the_scissor_box),
             GL_TEST(stencils_are_no_samples),             GL_TEST(a_level_stays_when_another_is_given),
-            GL_TEST(no_mipmaps_come_from_no_image),       GL_TEST(lines_of_depths_are_compared_with_r),
+            GL_TEST(texels_are_skipped_with_pixel_transfer), GL_TEST(no_mipmaps_come_from_no_image),       GL_TEST(lines_of_depths_are_compared_with_r),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -191,50 +191,81 @@ static bool fair_returns(const struct script *s)
     return last < 0;
 }
 
-bool script_is_fair(const struct script *s)
+/* ---- the walk ---- */
+
+struct walk {
+    struct primitive p;
+    bool in_list, executed, arrays, pointer, saved_pointer; /* arrays: the vertex array is enabled; pointer: and was given */
+    int pushed;
+    struct fair_buffers buffers;
+};
+
+static void follow_arrays(struct walk *w, const struct script *s, int i)
 {
-    struct primitive p = {0};
-    bool in_list = false, executed = false, arrays = false, pointer = false, saved_pointer = false;
-    struct fair_buffers buffers = {0};
-    int pushed = 0;
-    if (!clears_first(s) || !fair_returns(s) || !fair_rectangles(s) || !fair_framebuffers(s))
-        return false;
-    for (int i = 0; i < s->ops; i++) {
-        const int command = s->op[i].command;
-        if (command == CMD_NewList || command == CMD_EndList)
-            in_list = command == CMD_NewList;
-        if (command == CMD_NewList)
-            executed = s->value[s->op[i].first + 1] == GL_COMPILE_AND_EXECUTE;
-        pushed += (command == CMD_PushAttrib) - (command == CMD_PopAttrib);
-        if (pushed > 1 || (command == CMD_PopAttrib && !fair_pop(s, i)))
-            return false;
-        if (command == CMD_InterleavedArrays || command == CMD_EnableClientState || command == CMD_DisableClientState) {
-            if (command == CMD_InterleavedArrays || s->value[s->op[i].first] == GL_VERTEX_ARRAY)
-                arrays = command != CMD_DisableClientState;
-        }
-        if (!fair_order(s, i) || !fair_buffers_follow(&buffers, s, i) ||
-            ((command == CMD_Bitmap || command == CMD_BitmapOffset) && !adds_no_secondary_color(s, i)))
-            return false;
-        if (command == CMD_PushClientAttrib)
-            saved_pointer = pointer;
-        else if (command == CMD_PopClientAttrib)
-            pointer = saved_pointer;
-        pointer = pointer || command == CMD_VertexPointer || command == CMD_VertexPointerOffset ||
-                  command == CMD_InterleavedArrays;
-        if (command == CMD_RenderMode && !fair_render_mode(s, i))
-            return false;
-        if (draws_arrays(command) && !(arrays && pointer))
-            return false;
-        if (command == CMD_Begin) {
-            const int mode = (int)s->value[s->op[i].first];
-            p = (struct primitive){true, in_list || mode == GL_LINE_LOOP || mode == GL_LINE_STRIP, in_list, true, mode, 0, 0};
-        } else if (command == CMD_End) {
-            if (!fair_end(&p) || (in_list && attribute_of(s->op[i - 1].command)))
-                return false;
-            p.open = false;
-        } else if (p.open ? !fair_inside(&p, command) || (in_list && executed && attribute_of(command)) : !fair_outside(s, i, in_list)) {
-            return false;
-        }
+    const int command = s->op[i].command;
+    const bool interleaved = command == CMD_InterleavedArrays, state = command == CMD_EnableClientState || command == CMD_DisableClientState;
+    if (interleaved || (state && s->value[s->op[i].first] == GL_VERTEX_ARRAY))
+        w->arrays = command != CMD_DisableClientState;
+    if (command == CMD_PushClientAttrib)
+        w->saved_pointer = w->pointer;
+    else if (command == CMD_PopClientAttrib)
+        w->pointer = w->saved_pointer;
+    w->pointer = w->pointer || interleaved || command == CMD_VertexPointer || command == CMD_VertexPointerOffset;
+}
+
+static void follow_list(struct walk *w, const struct script *s, int i)
+{
+    const int command = s->op[i].command;
+    if (command == CMD_NewList)
+        w->executed = s->value[s->op[i].first + 1] == GL_COMPILE_AND_EXECUTE;
+    if (command == CMD_NewList || command == CMD_EndList)
+        w->in_list = command == CMD_NewList;
+}
+
+static unsigned follow_primitive(struct walk *w, const struct script *s, int i)
+{
+    const int command = s->op[i].command;
+    if (command == CMD_Begin) {
+        const int mode = (int)s->value[s->op[i].first];
+        const bool steady = w->in_list || mode == GL_LINE_LOOP || mode == GL_LINE_STRIP;
+        w->p = (struct primitive){true, steady, w->in_list, true, mode, 0, 0};
+        return 0;
     }
-    return true;
+    if (command == CMD_End) {
+        w->p.open = false;
+        return fair_end(&w->p) && !(w->in_list && attribute_of(s->op[i - 1].command)) ? 0 : UNFAIR_PRIMITIVE;
+    }
+    if (w->p.open)
+        return fair_inside(&w->p, command) && !(w->in_list && w->executed && attribute_of(command)) ? 0 : UNFAIR_ATTRIBUTE;
+    return fair_outside(s, i, w->in_list) ? 0 : w->in_list ? UNFAIR_ATTRIBUTE : UNFAIR_CALL;
+}
+
+static unsigned follow(struct walk *w, const struct script *s, int i)
+{
+    const int command = s->op[i].command;
+    unsigned unfair = 0;
+    w->pushed += (command == CMD_PushAttrib) - (command == CMD_PopAttrib);
+    if (w->pushed > 1 || w->pushed < 0 || (command == CMD_PopAttrib && !fair_pop(s, i)))
+        unfair |= UNFAIR_STACK;
+    follow_list(w, s, i);
+    follow_arrays(w, s, i);
+    if (draws_arrays(command) && !(w->arrays && w->pointer))
+        unfair |= UNFAIR_ARRAYS;
+    if (!fair_buffers_follow(&w->buffers, s, i))
+        unfair |= UNFAIR_BUFFERS;
+    if (!fair_order(s, i) || (command == CMD_RenderMode && !fair_render_mode(s, i)))
+        unfair |= UNFAIR_ORDER;
+    if ((command == CMD_Bitmap || command == CMD_BitmapOffset) && !adds_no_secondary_color(s, i))
+        unfair |= UNFAIR_PIXELS;
+    return unfair | follow_primitive(w, s, i);
+}
+
+unsigned script_unfair(const struct script *s)
+{
+    struct walk w = {.pushed = 0};
+    unsigned unfair = (clears_first(s) && fair_returns(s) ? 0 : UNFAIR_CLEARS) | (fair_rectangles(s) ? 0 : UNFAIR_PIXELS) |
+                      (fair_framebuffers(s) ? 0 : UNFAIR_FRAMEBUFFER);
+    for (int i = 0; i < s->ops; i++)
+        unfair |= follow(&w, s, i);
+    return unfair;
 }

@@ -67,8 +67,8 @@ static void attach_depth(struct generator *g, struct target *t)
         emit_renderbuffer(g, DEPTH_RENDERBUFFER, ONE_OF(g, GL_DEPTH_COMPONENT, GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24), t);
         attach_renderbuffer(g, GL_DEPTH_ATTACHMENT, DEPTH_RENDERBUFFER);
         break;
-    case 2:
-        emit_empty_texture(g, DEPTH_TEXTURE, ONE_OF(g, GL_DEPTH_COMPONENT, GL_DEPTH_COMPONENT24), GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, t);
+    case 2: /* not from GL_UNSIGNED_INT, where OSMesa keeps 32 bits: FixedGL draws with 24 */
+        emit_empty_texture(g, DEPTH_TEXTURE, ONE_OF(g, GL_DEPTH_COMPONENT, GL_DEPTH_COMPONENT24), GL_DEPTH_COMPONENT, GL_UNSIGNED_BYTE, t);
         attach_texture(g, GL_DEPTH_ATTACHMENT, DEPTH_TEXTURE);
         break;
     case 3:

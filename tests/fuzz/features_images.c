@@ -37,6 +37,25 @@ static void with_border(const struct image *i, const int inner[3], int size[3])
         size[k] = inner[k] + (k < dimensions_of(i->target) ? 2 * i->border : 0);
 }
 
+bool may_skip(const struct generator *g)
+{
+    const enum feature transfers[] = {FEATURE_pixel_transfer, FEATURE_pixel_map};
+    for (int i = 0; i < 2; i++) {
+        if (g->used[transfers[i]] || (g->compiling && g->enabled[transfers[i]]))
+            return false;
+    }
+    return true;
+}
+
+/* The number of elements that follow. */
+static int image_store(struct generator *g, int width, int height, int bytes, int per_pixel)
+{
+    const int count = random_unpack_store(g, width, height, bytes, per_pixel);
+    if (!may_skip(g))
+        plain_unpack_store(g);
+    return count;
+}
+
 void emit_images(struct generator *g, const struct image *image, bool mipmaps)
 {
     int inner[3] = {image->size[0], image->size[1], image->size[2]}, size[3];
@@ -44,7 +63,7 @@ void emit_images(struct generator *g, const struct image *image, bool mipmaps)
     for (int level = 0; level < (mipmaps ? 8 : 1); level++) {
         with_border(image, inner, size);
         for (int face = 0; face < (image->target == 3 ? 6 : 1); face++) {
-            const int count = random_unpack_store(g, size[0], size[1] * size[2], image->type->bytes, per_pixel);
+            const int count = image_store(g, size[0], size[1] * size[2], image->type->bytes, per_pixel);
             emit_image(g, image, level, image->target == 3 ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + face : GL_TEXTURE_2D, size);
             add_random_elements(g, image->type, count, false);
         }
@@ -90,7 +109,7 @@ void feature_texture_format(struct generator *g)
     if (!use(g, FEATURE_texture))
         return;
     image.type = random_pixel_type(g, image.format);
-    image.border = chance(g, 25) && use(g, FEATURE_texture_border);
+    image.border = chance(g, 25) && may_skip(g) && use(g, FEATURE_texture_border);
     random_image_size(g, &image);
     if (mipmaps == 2 || chance(g, 20))
         EMIT(g, TexParameteri, target, GL_GENERATE_MIPMAP, mipmaps == 2);
@@ -110,7 +129,7 @@ void feature_texture_format(struct generator *g)
 void feature_texture_border(struct generator *g)
 {
     struct image image = {.target = random_target(g), .border = 1, .internal = random_internal(g), .format = GL_RGBA};
-    if (!use(g, FEATURE_texture))
+    if (!may_skip(g) || !use(g, FEATURE_texture))
         return;
     image.type = random_pixel_type(g, image.format);
     random_image_size(g, &image);
@@ -148,7 +167,7 @@ void feature_texture_part(struct generator *g)
     const struct pixel_type *type = random_pixel_type(g, format);
     if (!use(g, FEATURE_texture))
         return;
-    const int count = random_unpack_store(g, width, height, type->bytes, type->components ? 1 : components_of(format));
+    const int count = image_store(g, width, height, type->bytes, type->components ? 1 : components_of(format));
     switch (target) {
     case 0: EMIT(g, TexSubImage1D, GL_TEXTURE_1D, level, x, width, format, type->type); break;
     case 2: EMIT(g, TexSubImage3D, GL_TEXTURE_3D, level, x, y, z, width, height, 1, format, type->type); break;
@@ -186,6 +205,8 @@ void feature_get_texture(struct generator *g)
         emit_get(g, target, 0);
         return;
     }
+    if (g->used[FEATURE_compressed_texture]) /* of which OSMesa has other sizes */
+        return;
     EMIT(g, GetTexLevelParameteriv, target == 3 ? GL_TEXTURE_CUBE_MAP_NEGATIVE_X : texture_targets[target], below(g, 3),
          ONE_OF(g, GL_TEXTURE_WIDTH, GL_TEXTURE_HEIGHT, GL_TEXTURE_DEPTH, GL_TEXTURE_BORDER, GL_TEXTURE_RED_SIZE, GL_TEXTURE_ALPHA_SIZE,
                 GL_TEXTURE_LUMINANCE_SIZE));

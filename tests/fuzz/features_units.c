@@ -1,4 +1,4 @@
-/* Features: more texture units, combiners of several textures, point sprites, texture objects. */
+/* Features: more texture units, combiners of the textures of several units, point sprites, texture objects. */
 #include "generator.h"
 #include "textures.h"
 
@@ -36,17 +36,31 @@ void feature_later_coord_inside(struct generator *g)
     EMIT(g, MultiTexCoord4f, GL_TEXTURE0 + FIRST_UNIT + below(g, 2), real(g, -2.0, 2.0), real(g, -2.0, 2.0), real(g, -2.0, 2.0), real(g, 0.5, 2.0));
 }
 
-/* GL_ARB_texture_env_crossbar: the texture of any unit as a source. */
-static double random_source(struct generator *g)
+/* ---- GL_ARB_texture_env_crossbar ---- */
+
+enum { CROSSED_UNITS = 3, CROSSED_OBJECT = 50 };
+
+/* A complete texture, alone on its unit: what a unit without one gives to others is undefined (GL 1.5, 3.8.13). */
+static void emit_crossed_texture(struct generator *g, int unit)
 {
-    return chance(g, 40) ? GL_TEXTURE0 + below(g, 3) : ONE_OF(g, GL_TEXTURE, GL_CONSTANT, GL_PRIMARY_COLOR, GL_PREVIOUS);
+    EMIT(g, ActiveTexture, GL_TEXTURE0 + unit);
+    EMIT(g, Disable, GL_TEXTURE_3D);
+    EMIT(g, Disable, GL_TEXTURE_CUBE_MAP);
+    EMIT(g, BindTexture, GL_TEXTURE_2D, CROSSED_OBJECT + unit);
+    plain_unpack_store(g);
+    EMIT(g, TexImage2D, GL_TEXTURE_2D, 0, ONE_OF(g, GL_RGBA, GL_RGB, GL_LUMINANCE_ALPHA, GL_ALPHA, GL_RGBA16), 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE);
+    add_random_bytes(g, 4 * 4 * 4);
+    EMIT(g, TexParameteri, GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, ONE_OF(g, GL_NEAREST, GL_LINEAR));
+    EMIT(g, Enable, GL_TEXTURE_2D);
 }
 
-void feature_crossbar(struct generator *g)
+static double random_source(struct generator *g)
 {
-    if (!use(g, FEATURE_texture))
-        return;
-    const int unit = below(g, 3);
+    return chance(g, 40) ? GL_TEXTURE0 + below(g, CROSSED_UNITS) : ONE_OF(g, GL_TEXTURE, GL_CONSTANT, GL_PRIMARY_COLOR, GL_PREVIOUS);
+}
+
+static void emit_crossed_combiner(struct generator *g, int unit)
+{
     double c[4];
     random_color(g, c);
     EMIT(g, ActiveTexture, GL_TEXTURE0 + unit);
@@ -63,7 +77,27 @@ void feature_crossbar(struct generator *g)
     }
     EMIT(g, TexEnvf, GL_TEXTURE_ENV, GL_RGB_SCALE, ONE_OF(g, 1, 1, 2, 4));
     EMIT(g, TexEnvf, GL_TEXTURE_ENV, GL_ALPHA_SCALE, ONE_OF(g, 1, 1, 2, 4));
+}
+
+void feature_crossbar(struct generator *g)
+{
+    if (!use(g, FEATURE_texture))
+        return;
+    for (int unit = 0; unit < CROSSED_UNITS; unit++) {
+        emit_crossed_texture(g, unit);
+        if (chance(g, 50))
+            emit_crossed_combiner(g, unit);
+        else
+            EMIT(g, TexEnvi, GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, ONE_OF(g, GL_MODULATE, GL_MODULATE, GL_ADD, GL_BLEND, GL_DECAL));
+    }
     EMIT(g, ActiveTexture, GL_TEXTURE0);
+    feature_immediate(g);
+    for (int unit = CROSSED_UNITS - 1; unit >= 0; unit--) {
+        EMIT(g, ActiveTexture, GL_TEXTURE0 + unit);
+        EMIT(g, TexEnvi, GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+        EMIT(g, BindTexture, GL_TEXTURE_2D, 0);
+        EMIT(g, Disable, GL_TEXTURE_2D);
+    }
 }
 
 /* Of a texture's level of detail on its unit, added to the texture's own (GL 1.5, 3.8.13). */

@@ -155,7 +155,12 @@ void random_position(struct generator *g, double position[4])
 
 bool textured_later(const struct generator *g)
 {
-    return g->used[FEATURE_texture_unit] || g->used[FEATURE_later_unit];
+    const enum feature later[] = {FEATURE_texture_unit, FEATURE_later_unit};
+    for (int i = 0; i < 2; i++) {
+        if (g->used[later[i]] || (g->compiling && g->enabled[later[i]] && g->enabled[FEATURE_texture])) /* it may be called later */
+            return true;
+    }
+    return false;
 }
 
 void emit_unseen_point(struct generator *g)

@@ -9,7 +9,7 @@ struct search {
     struct channel *channel;
     enum outcome outcome;
     int tries, preamble; /* preamble: commands at the start that stay as they are */
-    bool fair; /* so it was given, so it shall stay */
+    unsigned unfair; /* what it has, and may keep */
 };
 
 static struct script best, candidate;
@@ -17,7 +17,7 @@ static struct script best, candidate;
 /* Runs `candidate`; keeps it if it differs in the same way. */
 static bool keeps(struct search *search)
 {
-    if (search->tries <= 0 || (search->fair && !script_is_fair(&candidate)))
+    if (search->tries <= 0 || (script_unfair(&candidate) & ~search->unfair))
         return false;
     search->tries--;
     search->channel->script = candidate;
@@ -81,7 +81,7 @@ static bool simplify_op(struct search *search, int op)
 struct difference minimize(struct channel *channel, enum outcome outcome, int tries)
 {
     best = channel->script;
-    struct search search = {channel, outcome, tries, preamble_of(&best), script_is_fair(&best)};
+    struct search search = {channel, outcome, tries, preamble_of(&best), script_unfair(&best)};
     for (int length = best.ops / 2; length > 1; length /= 2)
         drop_ranges(&search, length);
     while (drop_ranges(&search, 1))

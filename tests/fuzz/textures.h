@@ -18,6 +18,8 @@ struct image {
 
 int random_size(struct generator *g, int largest); /* up to 2^(largest - 1), mostly a power of two */
 void random_image_size(struct generator *g, struct image *image);
+/* Whether images may begin beside the pointer or have borders: with pixel transfer OSMesa does not skip (departure skipped-texels). */
+bool may_skip(const struct generator *g);
 /* All faces of the image, alone or with its mipmaps, of random pixels. */
 void emit_images(struct generator *g, const struct image *image, bool mipmaps);
 /* Filters, those of mipmaps or not, wrap modes, border color, limits of the level of detail. */
