@@ -203,6 +203,8 @@ void fgl_framebuffer_store(struct context *ctx)
         return;
     const struct surfaces s = surfaces_of(fbs->draw, ctx->s.color_buffer.draw_buffer);
     fgl_surface_store(&fbs->drawn_planes, &s.color, &s.depth, &s.stencil);
+    if (ctx->read_framebuffer == &fbs->read_planes) /* which may have the same images */
+        fbs->stale = true;
 }
 
 void fgl_framebuffer_unload(struct context *ctx)

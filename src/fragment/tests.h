@@ -18,12 +18,12 @@ static FGL_ALWAYS_INLINE int32_t compare_real(GLenum func, real a, real b)
              ((int32_t)(func >> 2) & (a > b)));
 }
 
-/* OSMesa rule: 8-bit colour is rounded to 8 bits before it is compared, alpha and reference, if it can be drawn. */
+/* OSMesa rule: 8-bit colour is rounded to 8 bits before it is compared, alpha and reference, if it can be drawn; that of fewer bits is not. */
 static inline void alpha_test(struct fragments *f, const struct fragment_plan *plan)
 {
     const GLenum func = plan->color_buffer.alpha_test_func;
     const real ref = (real)plan->color_buffer.alpha_test_ref;
-    if (plan->fb->color_kind == COLOR_UNORM8 && plan->color_buffer.draw_buffer != GL_NONE) {
+    if (plan->fb->color_kind == COLOR_UNORM8 && !plan->fb->image_bits[0] && plan->color_buffer.draw_buffer != GL_NONE) {
         const int32_t ref8 = r_round_small(r_saturate(ref) * 255);
         FOR_GROUP(i) f->live[i] &= compare(func, r_round_small(r_saturate(f->color[3][i]) * 255), ref8);
     } else {
