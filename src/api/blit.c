@@ -93,7 +93,13 @@ static void read_row(const struct framebuffer *fb, int y, bool bytes, void *row)
     fgl_pack_row(&pack, fb, 0, fgl_row(fb, y), fb->width, 0, 0);
 }
 
-static void write_pixel(const struct framebuffer *fb, size_t at, const float c[4])
+/* A component of 5 or 6 bits. OSMesa rule: of pixels that are not filtered the first bits are taken. */
+static uint32_t few_bits(float c, int bits, bool cut)
+{
+    return (uint32_t)(cut ? fgl_unorm(c, 255) >> (8 - bits) : fgl_unorm(c, (float)((1 << bits) - 1)));
+}
+
+static void write_pixel(const struct framebuffer *fb, size_t at, const float c[4], bool cut)
 {
     switch (fb->color_kind) {
     case COLOR_UNORM8:
@@ -106,7 +112,7 @@ static void write_pixel(const struct framebuffer *fb, size_t at, const float c[4
         break;
     case COLOR_FLOAT: memcpy((float *)fb->color + 4 * at, c, 4 * sizeof(float)); break;
     case COLOR_565:
-        ((uint16_t *)fb->color)[at] = (uint16_t)(fgl_unorm(c[0], 31) << 11 | fgl_unorm(c[1], 63) << 5 | fgl_unorm(c[2], 31));
+        ((uint16_t *)fb->color)[at] = (uint16_t)(few_bits(c[0], 5, cut) << 11 | few_bits(c[1], 6, cut) << 5 | few_bits(c[2], 5, cut));
         break;
     case COLOR_INDEX8: break;
     }
@@ -143,6 +149,7 @@ static void blend_bytes(const uint8_t *const row[2], const struct sample *x, con
 
 static bool copy_color(const struct framebuffer *from, const struct framebuffer *to, const struct axis *x, const struct axis *y, bool bytes)
 {
+    const bool cut = !bytes && from->color_kind == COLOR_UNORM8;
     const size_t size = 4 * (bytes ? 1 : sizeof(float)) * (size_t)from->width;
     char *rows = malloc(2 * size);
     if (!rows)
@@ -164,7 +171,7 @@ static bool copy_color(const struct framebuffer *from, const struct framebuffer 
                 blend_bytes(byte_row, column, s, color);
             else
                 blend(row, column, s, color);
-            write_pixel(to, (size_t)fgl_row(to, j) * (size_t)to->stride + (size_t)i, color);
+            write_pixel(to, (size_t)fgl_row(to, j) * (size_t)to->stride + (size_t)i, color, cut);
         }
     }
     free(rows);
@@ -225,7 +232,8 @@ void fgl_exec_BlitFramebuffer(struct context *ctx, GLint srcX0, GLint srcY0, GLi
     const struct framebuffer *from = ctx->read_framebuffer, *to = ctx->framebuffer;
     const struct rect r = fgl_turned(to, fgl_raster_bounds(&ctx->s.scissor, to));
     const bool linear = filter == GL_LINEAR;
-    const bool bytes = has_bytes(from) && !(is_plain(srcX0, srcX1, dstX0, dstX1, from->width) && is_plain(srcY0, srcY1, dstY0, dstY1, from->height));
+    const bool plain = is_plain(srcX0, srcX1, dstX0, dstX1, from->width) && is_plain(srcY0, srcY1, dstY0, dstY1, from->height);
+    const bool bytes = has_bytes(from) && !plain;
     struct axis x = {0}, y = {0};
     if (mask && srcX0 != srcX1 && srcY0 != srcY1 && map_axis(&x, dstX0, dstX1, r.x0, r.x1, srcX0, srcX1, from->width, linear, bytes) &&
         map_axis(&y, dstY0, dstY1, r.y0, r.y1, srcY0, srcY1, from->height, linear, bytes) &&

@@ -2,6 +2,9 @@
 #include "generator.h"
 #include "textures.h"
 
+#include <stdlib.h>
+#include <string.h>
+
 enum { FRAMEBUFFERS = 2, COLOR_TEXTURE = 60, DEPTH_TEXTURE = 70, COLOR_RENDERBUFFER = 1, DEPTH_RENDERBUFFER = 5, OBJECTS = 2, MOST_BEYOND = 12 };
 
 struct target {
@@ -105,6 +108,18 @@ static void read_back(struct generator *g, const struct target *t)
         EMIT(g, ReadPixels, 0, 0, t->width, t->height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE);
 }
 
+/* Whether the centers of some of d pixels fall between two of s, where rounding decides. */
+static bool falls_between(int s, int d)
+{
+    int a = abs(s), b = abs(d);
+    while (b != 0) {
+        const int rest = a % b;
+        a = b;
+        b = rest;
+    }
+    return a > 0 && s / a % 2 == 0 && d / a % 2 != 0;
+}
+
 /* To the window: as it is, turned or scaled. */
 static void blit_to_window(struct generator *g, const struct target *t)
 {
@@ -117,6 +132,8 @@ static void blit_to_window(struct generator *g, const struct target *t)
         to[0] = integer(g, -5, width), to[2] = integer(g, -5, width + 5);
         to[1] = integer(g, -5, height), to[3] = integer(g, -5, height + 5);
     }
+    if (falls_between(from[2] - from[0], to[2] - to[0]) || falls_between(from[3] - from[1], to[3] - to[1]))
+        memcpy(to, from, sizeof to);
     EMIT(g, BlitFramebuffer, from[0], from[1], from[2], from[3], to[0], to[1], to[2], to[3], GL_COLOR_BUFFER_BIT, ONE_OF(g, GL_NEAREST, GL_NEAREST, GL_LINEAR));
 }
 
