@@ -1346,6 +1346,28 @@ typedef void (APIENTRYP PFNGLGETCOMPRESSEDTEXIMAGEARBPROC)(GLenum target, GLint 
 #define GL_TEXTURE_SWIZZLE_RGBA                    0x8E46
 #endif
 
+/* All levels of a texture at once, whose sizes and formats never change after: the glTexImage and glCopyTexImage commands then raise
+ * GL_INVALID_OPERATION. internalformat: sized formats; glGetTexParameter has GL_TEXTURE_IMMUTABLE_FORMAT.
+ * Errors: GL_INVALID_ENUM for other targets and formats; GL_INVALID_VALUE for sizes or levels below 1 and sizes that are too large;
+ * GL_INVALID_OPERATION for more levels than the size has, the default texture, and a texture that has storage. */
+#ifndef GL_ARB_texture_storage
+#define GL_ARB_texture_storage 1
+#define GL_TEXTURE_IMMUTABLE_FORMAT                0x912F
+#ifdef GL_GLEXT_PROTOTYPES
+GLAPI void GLAPIENTRY glTexStorage1D(GLenum target, GLsizei levels, GLenum internalformat, GLsizei width);
+GLAPI void GLAPIENTRY glTexStorage2D(GLenum target, GLsizei levels, GLenum internalformat, GLsizei width,
+        GLsizei height);
+GLAPI void GLAPIENTRY glTexStorage3D(GLenum target, GLsizei levels, GLenum internalformat, GLsizei width,
+        GLsizei height, GLsizei depth);
+#endif
+typedef void(GLAPIENTRYP PFNGLTEXSTORAGE1DPROC)(GLenum target, GLsizei levels, GLenum internalformat,
+        GLsizei width);
+typedef void(GLAPIENTRYP PFNGLTEXSTORAGE2DPROC)(GLenum target, GLsizei levels, GLenum internalformat,
+        GLsizei width, GLsizei height);
+typedef void(GLAPIENTRYP PFNGLTEXSTORAGE3DPROC)(GLenum target, GLsizei levels, GLenum internalformat,
+        GLsizei width, GLsizei height, GLsizei depth);
+#endif
+
 /* A sampler object bound to a unit, from 0, samples in place of the parameters of its textures: wrap modes, filters, border colour, levels of
  * detail, comparison. Pnames and values are those of glTexParameter for these; the I forms take border colours as integers.
  * Errors: GL_INVALID_VALUE for negative counts and units that there are not; GL_INVALID_OPERATION for names that glGenSamplers did not give;

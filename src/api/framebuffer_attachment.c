@@ -289,7 +289,7 @@ void fgl_exec_GenerateMipmap(struct context *ctx, GLenum target)
     enum texture_target t;
     RETURN_ERROR_IF(ctx, !fgl_texture_target(target, &t) || t == TEXTURE_RECTANGLE, GL_INVALID_ENUM);
     struct texture_object *object = fgl_bound_texture(ctx, t);
-    const int base = object->parameters.base_level;
+    const int base = fgl_texture_base_level(object);
     RETURN_ERROR_IF(ctx, fgl_texture_faces(t) > 1 && (base >= FGL_MAX_TEXTURE_LEVELS || object->image[0][base].width == 0),
                     GL_INVALID_OPERATION); /* not cube complete */
     for (int face = 1; face < fgl_texture_faces(t); face++)

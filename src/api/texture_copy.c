@@ -178,6 +178,7 @@ static void copy_image(struct context *ctx, struct texture_call *call, int x, in
     RETURN_ERROR_IF(ctx, format <= 4 || !fgl_texture_format(format), GL_INVALID_ENUM);
     GLenum error = fgl_texture_define_error(call, &t, &too_large);
     RETURN_ERROR_IF(ctx, error, error);
+    RETURN_ERROR_IF(ctx, fgl_texture_is_immutable(ctx, &t), GL_INVALID_OPERATION);
     if (!fgl_read_ready(ctx))
         return;
     error = source_error(ctx, format);

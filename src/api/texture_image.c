@@ -105,6 +105,11 @@ static GLenum sub_image_error(struct context *ctx, const struct texture_call *ca
     return error ? error : pixels_error(call, t, image->internal_format);
 }
 
+bool fgl_texture_is_immutable(const struct context *ctx, const struct image_target *t)
+{
+    return !t->proxy && fgl_bound_texture(ctx, t->target)->immutable_levels;
+}
+
 /* ---- images ---- */
 
 bool fgl_texture_define(struct context *ctx, const struct texture_call *call, bool swap_bytes, const struct image_target *t)
@@ -123,7 +128,7 @@ bool fgl_texture_define(struct context *ctx, const struct texture_call *call, bo
 void fgl_texture_after_change(struct context *ctx, const struct image_target *t, int level)
 {
     struct texture_object *object = fgl_bound_texture(ctx, t->target);
-    if (object->parameters.generate_mipmap && level == object->parameters.base_level &&
+    if (object->parameters.generate_mipmap && level == fgl_texture_base_level(object) &&
         !fgl_texture_generate_mipmaps(object, t->face))
         fgl_error(ctx, GL_OUT_OF_MEMORY);
 }
@@ -144,6 +149,7 @@ static void execute_image(struct context *ctx, const struct texture_call *call, 
     bool too_large = false;
     const GLenum error = image_error(call, &t, &too_large);
     RETURN_ERROR_IF(ctx, error, error);
+    RETURN_ERROR_IF(ctx, fgl_texture_is_immutable(ctx, &t), GL_INVALID_OPERATION);
     if (too_large) {
         fgl_texture_image_clear(fgl_target_image(ctx, &t, call->level));
         return;

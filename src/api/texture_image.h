@@ -25,6 +25,9 @@ struct pixel_source {
  * Sizes that are only too large set *too_large instead, which a proxy answers and anything else refuses with GL_INVALID_VALUE. */
 GLenum fgl_texture_define_error(const struct texture_call *call, const struct image_target *t, bool *too_large);
 
+/* GL_ARB_texture_storage: no level may be made anew. */
+bool fgl_texture_is_immutable(const struct context *ctx, const struct image_target *t);
+
 /* The error of a part of the image that is not inside of it, or of no image (GL 1.5, 3.8.2). */
 GLenum fgl_texture_part_error(const struct texture_call *call, const struct texture_image *image);
 

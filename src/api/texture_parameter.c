@@ -109,15 +109,21 @@ void GLAPIENTRY glTexParameteri(GLenum target, GLenum pname, GLint param)
 
 /* ---- glGetTexParameter ---- */
 
-/* Reads a parameter; NULL after recording an error. GL_TEXTURE_RESIDENT can only be asked for: all textures are. */
+/* Reads a parameter; NULL after recording an error. GL_TEXTURE_RESIDENT and GL_TEXTURE_IMMUTABLE_FORMAT can only be asked for: all textures are
+ * resident. */
 static const struct param *get(struct context *ctx, GLenum target, GLenum pname, float v[4])
 {
     static const struct param resident = {.pname = GL_TEXTURE_RESIDENT, .kind = PARAM_BOOL, .count = 1};
+    static const struct param immutable = {.pname = GL_TEXTURE_IMMUTABLE_FORMAT, .kind = PARAM_BOOL, .count = 1};
     enum texture_target t;
-    const struct param *p = pname == GL_TEXTURE_RESIDENT ? &resident : fgl_texture_param(pname);
+    const struct param *p = pname == GL_TEXTURE_RESIDENT           ? &resident
+                            : pname == GL_TEXTURE_IMMUTABLE_FORMAT ? &immutable
+                                                                   : fgl_texture_param(pname);
     RETURN_VALUE_ERROR_IF(ctx, !fgl_texture_target(target, &t) || !p, GL_INVALID_ENUM, NULL);
     if (p == &resident)
         v[0] = 1.0f;
+    else if (p == &immutable)
+        v[0] = fgl_bound_texture(ctx, t)->immutable_levels ? 1.0f : 0.0f;
     else
         fgl_param_get(p, &fgl_bound_texture(ctx, t)->parameters, v);
     return p;

@@ -98,7 +98,7 @@ static void derive_swizzle(struct sampler *to, const GLenum swizzle[4])
 
 static void derive_levels(struct sampler *to, const struct texture_object *object)
 {
-    const int base = object->parameters.base_level;
+    const int base = fgl_texture_base_level(object);
     to->last_level = to->mip == MIP_NONE ? 0 : fgl_texture_last_level(object) - base;
     for (int i = 0; i <= to->last_level; i++) {
         const struct texture_image *image = &object->image[0][base + i];
@@ -115,7 +115,7 @@ static void derive_levels(struct sampler *to, const struct texture_object *objec
 static void derive_sampler(struct sampler *to, const struct texture_object *object, const struct texture_unit *unit)
 {
     const struct texture_parameters *p = fgl_texture_sampling(unit, object);
-    const struct texture_image *image = &object->image[0][object->parameters.base_level];
+    const struct texture_image *image = &object->image[0][fgl_texture_base_level(object)];
     to->target = object->target;
     to->kind = image->kind;
     to->depth_bits = image->kind == TEXELS_DEPTH ? image->format->bits[0] : 0;
@@ -326,7 +326,7 @@ int fgl_texture_stages(struct texture_stage stage[FGL_MAX_TEXTURE_UNITS], const 
         for (int c = 0; c < 4; c++)
             to->constant[c] = s->current.attr[ATTR_TEX0 + unit][c];
         derive_sampler(&to->sampler, object, u);
-        const struct texture_format *format = object->image[0][object->parameters.base_level].format;
+        const struct texture_format *format = object->image[0][fgl_texture_base_level(object)].format;
         derive_environment(&to->environment, &u->env, environment_format(&to->sampler, format->base_format),
                            fgl_texture_format_leaves_unit(format));
     }

@@ -17,8 +17,8 @@ static int levels_above(const struct texture_image *base)
 
 int fgl_texture_last_level(const struct texture_object *object)
 {
-    const struct texture_parameters *p = &object->parameters;
-    return fgl_min(fgl_min(p->base_level + levels_above(&object->image[0][p->base_level]), p->max_level),
+    const int base = fgl_texture_base_level(object);
+    return fgl_min(fgl_min(base + levels_above(&object->image[0][base]), fgl_texture_max_level(object)),
                    FGL_MAX_TEXTURE_LEVELS - 1);
 }
 
@@ -31,7 +31,7 @@ static bool same(const struct texture_image *a, const struct texture_image *b, i
 /* All levels that mipmapping needs, of one face. */
 static bool face_complete(const struct texture_object *object, int face, bool mipmapped)
 {
-    const int first = object->parameters.base_level;
+    const int first = fgl_texture_base_level(object);
     const int last = mipmapped ? fgl_texture_last_level(object) : first;
     const struct texture_image *base = &object->image[0][first];
     for (int level = first; level <= last; level++) {
@@ -45,12 +45,12 @@ static bool face_complete(const struct texture_object *object, int face, bool mi
 
 static bool find_complete(const struct texture_object *object, bool mipmapped)
 {
-    const struct texture_parameters *p = &object->parameters;
-    if (p->base_level >= FGL_MAX_TEXTURE_LEVELS || !object->image[0][p->base_level].texels)
+    const int first = fgl_texture_base_level(object);
+    if (first >= FGL_MAX_TEXTURE_LEVELS || !object->image[0][first].texels)
         return false;
-    if (mipmapped && p->base_level > p->max_level)
+    if (mipmapped && first > fgl_texture_max_level(object))
         return false;
-    const struct texture_image *base = &object->image[0][p->base_level];
+    const struct texture_image *base = &object->image[0][first];
     if (object->target == TEXTURE_CUBE_MAP && base->width != base->height)
         return false;
     for (int face = 0; face < fgl_texture_faces(object->target); face++)

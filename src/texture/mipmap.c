@@ -112,10 +112,10 @@ static void reduce(const struct texture_image *from, struct texture_image *to)
 
 bool fgl_texture_generate_mipmaps(struct texture_object *object, int face)
 {
-    const int base = object->parameters.base_level;
+    const int base = fgl_texture_base_level(object);
     if (base >= FGL_MAX_TEXTURE_LEVELS || !object->image[face][base].texels)
         return true;
-    const int last = fgl_min(object->parameters.max_level, FGL_MAX_TEXTURE_LEVELS - 1);
+    const int last = fgl_min(fgl_texture_max_level(object), FGL_MAX_TEXTURE_LEVELS - 1);
     for (int level = base + 1; level <= last; level++) {
         const struct texture_image *from = &object->image[face][level - 1];
         struct texture_image *to = &object->image[face][level];

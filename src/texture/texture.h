@@ -35,6 +35,7 @@ struct texture_object {
     enum texture_target target;
     struct texture_parameters parameters;
     struct texture_image image[TEXTURE_MAX_FACES][FGL_MAX_TEXTURE_LEVELS]; /* [face][level] */
+    int immutable_levels; /* GL_ARB_texture_storage: how many; 0: not immutable */
     bool complete[2], complete_known[2]; /* fgl_texture_complete's answers, [mipmapped], until something changes */
     atomic_int references;         /* the store's and one for each binding */
 };
@@ -88,6 +89,18 @@ void fgl_sampler_release(struct sampler_object *object);
 static inline void fgl_texture_changed(struct texture_object *object)
 {
     object->complete_known[0] = object->complete_known[1] = false;
+}
+
+/* The base and the last level that the parameters allow. GL_ARB_texture_storage: of an immutable texture, within its levels. */
+static inline int fgl_texture_base_level(const struct texture_object *object)
+{
+    const int base = object->parameters.base_level, levels = object->immutable_levels;
+    return levels ? fgl_min(base, levels - 1) : base;
+}
+static inline int fgl_texture_max_level(const struct texture_object *object)
+{
+    const int max = object->parameters.max_level, levels = object->immutable_levels;
+    return levels ? fgl_max(fgl_texture_base_level(object), fgl_min(max, levels - 1)) : max;
 }
 
 /* Whether the object can be drawn with, by filters that mipmap or others (GL 1.5, 3.8.10 "Texture Completeness"). */
