@@ -80,9 +80,10 @@ static void take_out(struct client_array_state *arrays, struct array_object *o)
 static void bind(struct context *ctx, GLuint name, struct array_object *o)
 {
     struct client_array_state *arrays = &ctx->client.arrays;
-    if (name == arrays->object)
+    struct array_object *bound = find(ctx, arrays->object);
+    if (name == arrays->object || !bound) /* there is one always */
         return;
-    put_away(arrays, find(ctx, arrays->object));
+    put_away(arrays, bound);
     if (name && !o->created)
         fgl_state_init_arrays(o->array);
     o->created = true;
