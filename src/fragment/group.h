@@ -73,15 +73,22 @@ static FGL_ALWAYS_INLINE real value_if(const bool plain, struct plane plane, rea
     return value_at(plane, x, y);
 }
 
+/* A function of its own: of loops inside of others GCC 12 makes wrong code on the way from float to double and back. */
+static FGL_NOINLINE void plain_values(struct plane plane, const int n, const real *FGL_RESTRICT x, real y, real *FGL_RESTRICT to)
+{
+    for (int i = 0; i < n; i++)
+        to[i] = value_if(true, plane, x[i], y);
+}
+
 /* At n pixels of a row. */
 static FGL_ALWAYS_INLINE void plane_values(const struct planes *p, int lane, const int n, const real *FGL_RESTRICT x, real y,
                                            real *FGL_RESTRICT to)
 {
     const struct plane plane = plane_of(p, lane);
     if (is_plain(plane))
-        FGL_VECTOR_LOOP for (int i = 0; i < n; i++) to[i] = value_if(true, plane, x[i], y);
+        plain_values(plane, n, x, y, to);
     else
-        FGL_VECTOR_LOOP for (int i = 0; i < n; i++) to[i] = value_if(false, plane, x[i], y);
+        FGL_VECTOR_LOOP for (int i = 0; i < n; i++) to[i] = value_at(plane, x[i], y);
 }
 
 /* Window z to the depth buffer's integer: round half to even of z * (2^bits - 1), OSMesa's in float arithmetic. */
