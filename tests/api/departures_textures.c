@@ -1,4 +1,4 @@
-/* Where textures, point sprites and occlusion queries are the specification's and OSMesa's are not (docs/departures.md). On OSMesa this
+/* Where textures, point sprites, occlusion queries and framebuffer objects are the specification's and OSMesa's are not (docs/departures.md). On OSMesa this
  * test shows that it still differs. */
 #include "api/gl_test.h"
 
@@ -134,12 +134,67 @@ static void lines_of_depths_are_compared_with_r(void **state)
     assert_int_equal(pixel(5, 5)[0], on_fixedgl() ? 255 : 0);
 }
 
+/* ---- framebuffer objects ---- */
+
+/* As large as the window. */
+static void bind_framebuffer(void)
+{
+    glBindFramebufferEXT(GL_FRAMEBUFFER, 1);
+    glBindRenderbufferEXT(GL_RENDERBUFFER, 1);
+    glRenderbufferStorageEXT(GL_RENDERBUFFER, GL_RGBA8, TEST_SIZE, TEST_SIZE);
+    glFramebufferRenderbufferEXT(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, 1);
+}
+
+/* turned-stipples. GL 1.5, 3.5.2: the bit of a fragment is that of its window coordinates modulo 32. */
+static void stipples_lie_in_window_coordinates(void **state)
+{
+    GLubyte stipple[128] = {255, 255, 255, 255}; /* row 0 */
+    (void)state;
+    glEnable(GL_POLYGON_STIPPLE);
+    bind_framebuffer();
+    glPolygonStipple(stipple);
+    glRectf(-1, -1, 1, 1);
+    glBindFramebufferEXT(GL_FRAMEBUFFER, 0);
+    glRectf(-1, -1, 1, 1);
+    assert_int_equal(pixel(9, 32)[0], on_fixedgl() ? 255 : 0);
+}
+
+static void smooth_line_through_centers(void)
+{
+    glEnable(GL_LINE_SMOOTH);
+    glBegin(GL_LINES);
+    glVertex2f(-0.5f, 1.0f / TEST_SIZE);
+    glVertex2f(0.5f, 1.0f / TEST_SIZE);
+    glEnd();
+}
+
+/* smooth-in-framebuffers: the same picture before and after. */
+static void smooth_lines_stay_where_they_are(void **state)
+{
+    static unsigned char before[sizeof picture];
+    (void)state;
+    smooth_line_through_centers();
+    glFinish();
+    memcpy(before, picture, sizeof picture);
+    bind_framebuffer();
+    glClear(GL_COLOR_BUFFER_BIT);
+    smooth_line_through_centers();
+    glReadPixels(0, 0, TEST_SIZE, TEST_SIZE, GL_RGBA, GL_UNSIGNED_BYTE, picture);
+    assert_int_equal(memcmp(before, picture, sizeof picture) == 0, on_fixedgl());
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-            GL_TEST(triangles_keep_their_coordinates),    GL_TEST(sprites_stay_in_the_scissor_box),
-            GL_TEST(stencils_are_no_samples),             GL_TEST(a_level_stays_when_another_is_given),
-            GL_TEST(texels_are_skipped_with_pixel_transfer), GL_TEST(no_mipmaps_come_from_no_image),       GL_TEST(lines_of_depths_are_compared_with_r),
+            GL_TEST(triangles_keep_their_coordinates),
+            GL_TEST(sprites_stay_in_the_scissor_box),
+            GL_TEST(stencils_are_no_samples),
+            GL_TEST(a_level_stays_when_another_is_given),
+            GL_TEST(texels_are_skipped_with_pixel_transfer),
+            GL_TEST(no_mipmaps_come_from_no_image),
+            GL_TEST(lines_of_depths_are_compared_with_r),
+            GL_TEST(stipples_lie_in_window_coordinates),
+            GL_TEST(smooth_lines_stay_where_they_are),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

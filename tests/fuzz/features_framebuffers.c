@@ -152,6 +152,13 @@ static void texture_with(struct generator *g, const struct target *t)
     EMIT(g, BindTexture, GL_TEXTURE_2D, 0);
 }
 
+/* OSMesa turns the stipple over only when it is set (departure turned-stipples). */
+static void emit_no_stipple(struct generator *g)
+{
+    if (g->enabled[FEATURE_polygon_stipple])
+        EMIT(g, Disable, GL_POLYGON_STIPPLE);
+}
+
 void feature_framebuffer_object(struct generator *g)
 {
     if (g->compiling || g->pushed || g->drawing_elsewhere)
@@ -165,6 +172,7 @@ void feature_framebuffer_object(struct generator *g)
     attach_color(g, &t);
     attach_depth(g, &t);
     EMIT(g, CheckFramebufferStatusEXT, GL_FRAMEBUFFER);
+    emit_no_stipple(g);
     if (chance(g, 50))
         EMIT(g, Viewport, 0, 0, t.width, t.height);
     EMIT(g, Disable, GL_SCISSOR_TEST);
@@ -179,6 +187,7 @@ void feature_framebuffer_object(struct generator *g)
     if (chance(g, 50))
         blit_to_window(g, &t);
     EMIT(g, BindFramebufferEXT, GL_FRAMEBUFFER, 0);
+    emit_no_stipple(g);
     EMIT(g, Viewport, 0, 0, g->script->width, g->script->height);
     if (t.texture && use(g, FEATURE_texture) && chance(g, 60))
         texture_with(g, &t);

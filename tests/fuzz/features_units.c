@@ -33,7 +33,8 @@ void feature_later_unit(struct generator *g)
 
 void feature_later_coord_inside(struct generator *g)
 {
-    EMIT(g, MultiTexCoord4f, GL_TEXTURE0 + FIRST_UNIT + below(g, 2), real(g, -2.0, 2.0), real(g, -2.0, 2.0), real(g, -2.0, 2.0), real(g, 0.5, 2.0));
+    const int unit = FIRST_UNIT + below(g, g->steady ? 1 : 2); /* the same for all vertices that must have the same attributes */
+    EMIT(g, MultiTexCoord4f, GL_TEXTURE0 + unit, real(g, -2.0, 2.0), real(g, -2.0, 2.0), real(g, -2.0, 2.0), real(g, 0.5, 2.0));
 }
 
 /* ---- GL_ARB_texture_env_crossbar ---- */

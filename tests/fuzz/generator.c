@@ -224,6 +224,11 @@ static void choose_features(struct generator *g)
         g->enabled[FEATURE_point_parameter] = false;
     else
         g->enabled[FEATURE_viewport] = false;
+    /* OSMesa draws smooth lines and points by the first framebuffer's edge rule (departure smooth-in-framebuffers). */
+    if (g->enabled[FEATURE_framebuffer_object] && chance(g, 40))
+        g->enabled[FEATURE_framebuffer_object] = false;
+    else if (g->enabled[FEATURE_framebuffer_object])
+        g->enabled[FEATURE_line_smooth] = g->enabled[FEATURE_point_smooth] = false;
     if (!g->selected[FEATURE_polygon_mode])
         return;
     if (chance(g, 50))
