@@ -125,6 +125,34 @@ static void edges_show_after_filling(void **state)
     assert_int_equal(drawn, on_fixedgl());
 }
 
+static void vertex_of(bool primary, bool secondary)
+{
+    if (primary)
+        glColor3f(0, 0, 1);
+    if (secondary)
+        glSecondaryColor3f(1, 0, 0);
+    glVertex2i(0, 0);
+}
+
+/* draws-after-feedback. GL 1.5, 2.7: the current secondary color is that of all vertices that follow. */
+static void secondary_colors_stay_after_feedback(void **state)
+{
+    float fed[16];
+    (void)state;
+    glEnable(GL_COLOR_SUM);
+    glFeedbackBuffer(16, GL_3D_COLOR, fed);
+    glRenderMode(GL_FEEDBACK);
+    glBegin(GL_POINTS);
+    vertex_of(true, true);
+    glEnd();
+    glRenderMode(GL_RENDER);
+    glBegin(GL_POINTS);
+    vertex_of(true, false);
+    glEnd();
+    glFinish();
+    assert_int_equal(picture[4 * (TEST_SIZE / 2 * TEST_SIZE + TEST_SIZE / 2)], on_fixedgl() ? 255 : 0);
+}
+
 /* One light at `position`, white, with nothing else that shines; the vertex's normal is (0, 0, 1). */
 static void light_from(float x, float y, float z)
 {
@@ -213,6 +241,7 @@ int main(void)
             GL_TEST(tracked_materials_follow_a_restored_color),
             GL_TEST(edges_show_after_filling),
             GL_TEST(unlit_secondary_colors_are_not_summed),
+            GL_TEST(secondary_colors_stay_after_feedback),
             GL_TEST(eye_coordinates_are_divided_by_w),
             GL_TEST(shininess_0_is_no_falloff),
             GL_TEST(a_vertex_material_that_is_no_number),

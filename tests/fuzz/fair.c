@@ -104,11 +104,21 @@ static bool fair_outside(const struct script *s, int i, bool in_list)
     return (command != CMD_CallList && command != CMD_CallLists) || (i > 0 && s->op[i - 1].command == CMD_GetFloatv);
 }
 
-/* A buffer of feedback or selection is given just before it is used. */
+static double last_render_mode(const struct script *s, int i)
+{
+    do
+        i--;
+    while (i >= 0 && s->op[i].command != CMD_RenderMode);
+    return i < 0 ? GL_RENDER : s->value[s->op[i].first];
+}
+
+/* A buffer of feedback or selection is given just before it is used, and a point is drawn just after feedback. */
 static bool fair_render_mode(const struct script *s, int i)
 {
     const double mode = s->value[s->op[i].first];
     const int before = i > 0 ? s->op[i - 1].command : -1;
+    if (mode == GL_RENDER && last_render_mode(s, i) == GL_FEEDBACK)
+        return i + 3 < s->ops && s->op[i + 1].command == CMD_Begin && s->op[i + 3].command == CMD_End;
     return mode == GL_RENDER || before == (mode == GL_SELECT ? CMD_SelectBuffer : CMD_FeedbackBuffer);
 }
 

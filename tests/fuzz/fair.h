@@ -17,7 +17,7 @@ enum {
     UNFAIR_ARRAYS = 1 << 5,      /* a draw from arrays while there is no vertex array, or none was ever given */
     UNFAIR_BUFFERS = 1 << 6,     /* offsets into buffer objects without data, or client memory while one is bound */
     UNFAIR_ORDER = 1 << 7,       /* glAccum before the buffer was cleared; meshes before a glMapGrid; glRenderMode(GL_FEEDBACK or GL_SELECT) without
-                                  * a buffer given just before it */
+                                  * a buffer given just before it, GL_RENDER after feedback without a point after it */
     UNFAIR_PIXELS = 1 << 8,      /* a bitmap while secondary colors are added; a pixel rectangle after a texture of a later unit was enabled */
     UNFAIR_FRAMEBUFFER = 1 << 9, /* a framebuffer object bound at the end */
 };

@@ -149,6 +149,7 @@ void feature_feedback(struct generator *g)
         emit_fed_back(g);
     }
     EMIT(g, RenderMode, GL_RENDER);
+    emit_unseen_point(g); /* departure draws-after-feedback */
 }
 
 /* OSMesa gives the depth 1.0 as 0. */
