@@ -48,8 +48,10 @@ void fgl_end(struct context *ctx)
         p->count = im->count - p->first;
     }
     im->mode = OUTSIDE_BEGIN_END;
-    if (!im->compiling)
+    if (!im->compiling) {
         ctx->begin_mode = OUTSIDE_BEGIN_END;
+        im->stored = im->stored || (im->prim_count && im->prim[im->prim_count - 1].count > 0);
+    }
     const bool executed_open = im->compiling && ctx->begin_mode != OUTSIDE_BEGIN_END; /* the first part of this primitive */
     if (im->count >= im->max_count || executed_open)
         fgl_immediate_flush(ctx, im);

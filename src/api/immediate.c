@@ -307,7 +307,6 @@ static FGL_NOINLINE void upgrade(struct context *ctx, struct immediate *im, enum
     memcpy(old, im->vertex, sizeof old);
     im->format.active |= 1u << attr;
     im->format.size[attr] = (uint8_t)size;
-    im->stored = im->stored || attr == ATTR_POSITION; /* the first vertex since the format was empty */
     lay_out(&im->format);
     convert_vertices(&from, old, &im->format, im->vertex, 1);
     im->max_count = im->capacity / im->format.floats - 1; /* one spare: the vertex that closes a loop */

@@ -7,7 +7,9 @@
  *   - an attribute set while vertices are stored joins the vertex format; what is stored is drawn first;
  *   - outside Begin/End, with more than 8 vertices just drawn so, the format starts anew;
  *   - glBegin with attributes but no position in the format makes them current values and empties the format;
- *   - every flush of vertices for a state change makes the attributes current values and empties the format. */
+ *   - every flush of vertices for a state change makes the attributes current values and empties the format, but only if a primitive has ended with
+ *     vertices in the store;
+ *   - vertices wait while a list is compiled; those that it executes join them, and glEndList flushes. */
 #ifndef FGL_API_IMMEDIATE_H
 #define FGL_API_IMMEDIATE_H
 
@@ -42,7 +44,7 @@ struct immediate {
     float *store;
     float *next; /* where the next vertex goes */
     bool pending; /* attributes were set that are not yet current values */
-    bool stored;  /* a state change has something to flush: vertices came, or queries made attributes current values */
+    bool stored;  /* a state change has something to flush: a primitive ended with vertices stored, or queries made attributes current values */
     int count, max_count, capacity; /* vertices, vertices; floats */
     struct vertex_format format;
     float vertex[VERTEX_MAX_FLOATS]; /* the attributes of the next vertex, in the format */

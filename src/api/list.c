@@ -165,7 +165,7 @@ void GLAPIENTRY glNewList(GLuint list, GLenum mode)
     RETURN_ERROR_IF(ctx, list == 0, GL_INVALID_VALUE);
     RETURN_ERROR_IF(ctx, mode != GL_COMPILE && mode != GL_COMPILE_AND_EXECUTE, GL_INVALID_ENUM);
     RETURN_ERROR_IF(ctx, ctx->compiling, GL_INVALID_OPERATION);
-    fgl_flush_all(ctx);
+    fgl_flush_current(ctx); /* OSMesa rule: vertices wait until the list ends; those that it executes join them */
     if (!begin_list(ctx, list))
         return;
     ctx->compiling = mode;
@@ -203,6 +203,7 @@ void GLAPIENTRY glEndList(void)
     fgl_list_record(ctx, OP_END_OF_LIST, 0);
     ctx->compiling = 0;
     ctx->vertices = ctx->immediate;
+    fgl_flush_all(ctx);
     FGL_SHARED(ctx, keep(ctx, c->name, c->list));
     c->list = NULL;
 }
