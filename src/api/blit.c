@@ -80,7 +80,7 @@ static bool has_bytes(const struct framebuffer *fb)
 /* As many pixels as they become, all of them in the source. OSMesa rule: these are not filtered. */
 static bool is_plain(int s0, int s1, int d0, int d1, int size)
 {
-    return abs(s1 - s0) == abs(d1 - d0) && fgl_min(s0, s1) >= 0 && fgl_max(s0, s1) <= size;
+    return llabs((int64_t)s1 - s0) == llabs((int64_t)d1 - d0) && fgl_min(s0, s1) >= 0 && fgl_max(s0, s1) <= size;
 }
 
 static void read_row(const struct framebuffer *fb, int y, bool bytes, void *row)

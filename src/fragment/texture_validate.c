@@ -292,7 +292,7 @@ bool fgl_texture_reads_primary(const struct texture_stage *stage, int n)
 
 bool fgl_texture_names_primary(const struct texture_stage *stage, int n)
 {
-    bool previous[2], primary[2] = {false, false};
+    bool previous[2] = {false, false}, primary[2] = {false, false};
     for (int i = 0; i < n; i++) {
         note_reads(&stage[i].environment.rgb, false, previous, primary);
         note_reads(&stage[i].environment.alpha, true, previous, primary);

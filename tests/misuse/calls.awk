@@ -5,9 +5,9 @@ BEGIN { RS = ";" }
 function target_group(name)
 {
     if (name ~ /MultiTexCoord/)                        return "unit"
-    if (name ~ /Image1D/)                              return "image1d"
-    if (name ~ /Image2D/)                              return "image2d"
-    if (name ~ /Image3D/)                              return "image3d"
+    if (name ~ /Image1D|TexStorage1D/)                              return "image1d"
+    if (name ~ /Image2D|TexStorage2D/)                              return "image2d"
+    if (name ~ /Image3D|TexStorage3D/)                              return "image3d"
     if (name ~ /GetTexImage|GetCompressed|TexLevel/)   return "image"
     if (name ~ /TexEnv/)                               return "environment"
     if (name ~ /TexParameter|BindTexture|GenerateMip/) return "texture"
@@ -30,7 +30,7 @@ function pname_group(name)
     if (name ~ /Light|Material/)             return "light_pname"
     if (name ~ /PixelStore/)                 return "pixel_store"
     if (name ~ /PixelTransfer/)              return "pixel_transfer"
-    if (name ~ /Tex(Level)?Parameter/)       return "texture_pname"
+    if (name ~ /(Tex(Level)?|Sampler)Parameter/)       return "texture_pname"
     if (name ~ /TexEnv/)                     return "environment_pname"
     if (name ~ /Fog/)                        return "fog"
     if (name ~ /PointParameter/)             return "point"
